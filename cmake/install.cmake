@@ -1,0 +1,22 @@
+# An installed package for find_package(Surface_mesh_cutting). The headers go
+# into a folder of their own: one of them has the name of a header of CGAL.
+
+include(CMakePackageConfigHelpers)
+set(package_dir lib/cmake/Surface_mesh_cutting)
+
+install(DIRECTORY include/CGAL DESTINATION include/surface_mesh_cutting)
+install(TARGETS Surface_mesh_cutting EXPORT Surface_mesh_cuttingTargets)
+install(EXPORT Surface_mesh_cuttingTargets
+  NAMESPACE Surface_mesh_cutting:: DESTINATION ${package_dir})
+
+configure_package_config_file(
+  cmake/Surface_mesh_cuttingConfig.cmake.in
+  "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfig.cmake"
+  INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(
+  "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfigVersion.cmake"
+  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+install(FILES
+  "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfig.cmake"
+  "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfigVersion.cmake"
+  DESTINATION ${package_dir})

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+// Adds the named parameters of this package to those of CGAL. CGAL includes
+// this list several times, each time with another meaning of
+// CGAL_add_named_parameter: there must be no include guard.
+
+#if defined(__GNUC__)
+#  pragma GCC system_header
+#endif
+#include_next <CGAL/STL_Extension/internal/parameters_interface.h>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_NAMED_PARAMETERS
+#  define CGAL_SURFACE_MESH_CUTTING_NAMED_PARAMETERS
+#endif
+
+// List of named parameters used in the package 'Surface_mesh_cutting'
+CGAL_add_named_parameter(minimum_distortion_decrease_t, minimum_distortion_decrease, minimum_distortion_decrease)
+CGAL_add_named_parameter(minimum_length_decrease_t, minimum_length_decrease, minimum_length_decrease)
+CGAL_add_named_parameter(minimum_area_ratio_t, minimum_area_ratio, minimum_area_ratio)
+CGAL_add_named_parameter(influence_threshold_t, influence_threshold, influence_threshold)
+CGAL_add_named_parameter(forbidden_radius_t, forbidden_radius, forbidden_radius)
+CGAL_add_named_parameter(maximum_distortion_t, maximum_distortion, maximum_distortion)
+CGAL_add_named_parameter(do_bijective_t, do_bijective, do_bijective)
+CGAL_add_named_parameter(initial_cut_t, initial_cut, initial_cut_map)
+CGAL_add_named_parameter(edge_is_forbidden_t, edge_is_forbidden, edge_is_forbidden_map)
+CGAL_add_named_parameter(connection_t, connection, connection)
+CGAL_add_named_parameter(effort_t, effort, effort)
+CGAL_add_named_parameter(faithful_t, faithful, faithful)
+CGAL_add_named_parameter(maximum_number_of_states_t, maximum_number_of_states, maximum_number_of_states)
+CGAL_add_named_parameter(conformal_solver_t, conformal_solver, conformal_solver)
+
+// Names that CGAL itself has only since a later version
+#if CGAL_VERSION_NR < 1060100000
+CGAL_add_named_parameter(edge_weight_t, edge_weight, edge_weight_map)
+#endif
