@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Builds the manual into build/doc/. A warning of doxygen is a failure.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+export ROOT=$root # read by the Doxyfile
+
+"$root/scripts/install_dependencies.sh" doc
+rm -rf "$root/build/doc"
+mkdir -p "$root/build/doc"
+cd "$root"
+doxygen doc/Doxyfile.standalone
+echo "manual   $root/build/doc/html/index.html"

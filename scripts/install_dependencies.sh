@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Installs from Debian what is missing:
+#   scripts/install_dependencies.sh [build|test|doc|ci]...    (default: build test)
+set -euo pipefail
+
+if [ $# -eq 0 ]; then
+  set -- build test
+fi
+
+wanted=()
+for purpose in "$@"; do
+  case $purpose in
+    build) wanted+=(g++ cmake make libcgal-dev libeigen3-dev libboost-dev
+                    libtbb-dev libsuitesparse-dev libcli11-dev nlohmann-json3-dev) ;;
+    test)  wanted+=(libopenmesh-dev python3) ;;
+    doc)   wanted+=(doxygen) ;;
+    ci)    wanted+=(clang) ;;
+    *)     echo "usage: $0 [build|test|doc|ci]..." >&2; exit 2 ;;
+  esac
+done
+
+if ! command -v dpkg-query apt-get > /dev/null; then
+  echo "Not a Debian system; needed are the equivalents of: ${wanted[*]}" >&2
+  exit 0
+fi
+
+installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2> /dev/null || true)
+missing=()
+for package in "${wanted[@]}"; do
+  grep -qxF "$package installed" <<< "$installed" || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  as_root=(sudo)
+fi
+echo "Installing ${missing[*]}"
+"${as_root[@]}" apt-get update
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install --yes --no-install-recommends "${missing[@]}"
