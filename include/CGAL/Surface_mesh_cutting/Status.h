@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_STATUS_H
+#define CGAL_SURFACE_MESH_CUTTING_STATUS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Status_code.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// names what was found and the elements of the mesh at which it was found.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+template <typename TriangleMesh>
+struct Finding
+{
+  /// what was found.
+  Status_code code = Status_code::OK;
+  /// one line for a human reader; it names elements by their position in `vertices(tmesh)`,
+  /// `edges(tmesh)` and `faces(tmesh)`. Empty if `code` is `Status_code::OK`.
+  std::string message;
+  /// the vertices at which it was found, at most one of the three lists is not empty.
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  /// the edges at which it was found.
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
+  /// the faces at which it was found.
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> faces;
+};
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// tells how a call ended. The finding that ended the call is the object itself, what was
+/// noticed on the way without ending it is in `warnings`.
+/// User data never violates a precondition: whatever is wrong with it comes back as a `Status`.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+template <typename TriangleMesh>
+struct Status : public Finding<TriangleMesh>
+{
+  /// what was handled but is worth knowing (isolated vertices, degenerate faces…).
+  std::vector<Finding<TriangleMesh> > warnings;
+
+  /// `true` iff all that was asked for was computed.
+  explicit operator bool() const { return this->code == Status_code::OK; }
+};
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_STATUS_H

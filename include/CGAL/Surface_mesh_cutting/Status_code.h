@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_STATUS_CODE_H
+#define CGAL_SURFACE_MESH_CUTTING_STATUS_CODE_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// how a call of this package ended.
+enum class Status_code
+{
+  OK,                      ///< all that was asked for was computed.
+  EMPTY_MESH,              ///< the mesh has no face.
+  NOT_TRIANGULATED,        ///< a face is not a triangle. Witness: faces.
+  NON_MANIFOLD,            ///< an edge with more than two faces, a vertex whose faces form
+                           ///  more than one fan, or a face given twice. Witness: vertices or faces.
+  INCONSISTENT_ORIENTATION,///< neighboring faces disagree about which side is up. Witness: faces.
+  INVALID_POINT,           ///< a coordinate is infinite or not a number. Witness: vertices.
+  UNSUPPORTED_TOPOLOGY,    ///< the surface has handles, borders or several components where the
+                           ///  call needs a single closed surface of genus 0.
+  WRONG_PARAMETER,         ///< a named parameter is out of its range. The message names it.
+  INFEASIBLE_CONSTRAINTS,  ///< no cut satisfies the constraints. Witness: the elements in conflict.
+  NOT_CUT_TO_DISKS,        ///< the marked edges do not leave only disks. Witness: faces of such a part.
+  NUMERICAL_FAILURE,       ///< no flip-free parameterization was found. Witness: faces.
+  NOT_CERTIFIED,           ///< the result failed the exact check. Witness: faces.
+  STOPPED,                 ///< the visitor or the time limit ended the run.
+  BOUND_NOT_REACHED        ///< the result is valid but misses the requested bound.
+};
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_STATUS_CODE_H

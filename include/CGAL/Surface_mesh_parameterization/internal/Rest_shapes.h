@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REST_SHAPES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REST_SHAPES_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// A triangle laid flat: the gradients of its three hat functions and its area. A map with corner
+// values u_i has the Jacobian sum of u_i g_i^T.
+struct Rest_shape
+{
+  Eigen::Vector2d g0, g1, g2;
+  double area;
+};
+
+// From the corners of a flat, counterclockwise triangle.
+inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                             const Eigen::Vector2d& c)
+{
+  const double twice_area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  const auto gradient = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t)
+  { return Eigen::Vector2d((s.y() - t.y()) / twice_area, (t.x() - s.x()) / twice_area); };
+  return Rest_shape{gradient(b, c), gradient(c, a), gradient(a, b), 0.5 * twice_area};
+}
+
+// From the corners of a surface triangle. One edge is laid along the x axis; needles, points and
+// caps get a minimal height relative to their longest edge (and to `minimal_edge`), so that every
+// triangle can be mapped without a flip and without an infinite energy.
+inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c, double minimal_edge)
+{
+  // The longest edge carries the frame: this is the most accurate choice for needles.
+  const Eigen::Vector3d* p[3] = {&a, &b, &c};
+  const double squared_length[3] = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
+  const int k = int(std::max_element(squared_length, squared_length + 3) - squared_length);
+  const Eigen::Vector3d e = *p[(k + 1) % 3] - *p[k], f = *p[(k + 2) % 3] - *p[k];
+  const double length = e.norm();
+  const double base = (std::max)(length, minimal_edge);
+  const double x = length > 0 ? f.dot(e) / length : 0.5 * base;
+  const double y = length > 0 ? e.cross(f).norm() / length : 0;
+  constexpr double minimal_height = 1e-7; // relative; an angle of about 1e-5 degrees
+  Eigen::Vector2d q[3];
+  q[k] = Eigen::Vector2d(0, 0);
+  q[(k + 1) % 3] = Eigen::Vector2d(base, 0);
+  q[(k + 2) % 3] = Eigen::Vector2d(x, (std::max)(y, minimal_height * base));
+  return rest_shape(q[0], q[1], q[2]);
+}
+
+// The shapes of all triangles of a surface in space.
+inline std::vector<Rest_shape> rest_shapes(const std::vector<Triangle>& triangles,
+                                           const std::vector<Eigen::Vector3d>& points)
+{
+  double sum = 0;
+  for(const Triangle& t : triangles)
+    sum += (points[t[1]] - points[t[0]]).norm();
+  const double minimal_edge = 1e-7 * sum / (std::max)(1., double(triangles.size()));
+  std::vector<Rest_shape> shapes;
+  shapes.reserve(triangles.size());
+  for(const Triangle& t : triangles)
+    shapes.push_back(rest_shape(points[t[0]], points[t[1]], points[t[2]], minimal_edge));
+  return shapes;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REST_SHAPES_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_TUTTE_EMBEDDING_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_TUTTE_EMBEDDING_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Places the vertices of a closed border loop on the unit circle, spaced as on the surface.
+// `lengths` holds the length of each border edge.
+inline void map_border_to_circle(const Chart& chart, const std::vector<int>& loop,
+                                 const std::vector<double>& lengths, std::vector<Eigen::Vector2d>& uv)
+{
+  double total = 0;
+  for(double l : lengths)
+    total += l;
+  // Coincident points on the circle would flip triangles: no edge gets less than a small share.
+  const double minimal = 1e-6 * total / double(loop.size());
+  total += minimal * double(loop.size());
+  double position = 0;
+  for(std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const double angle = 2 * EIGEN_PI * position / total;
+    uv[chart.source(loop[i])] = Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    position += lengths[i] + minimal;
+  }
+}
+
+// Tutte's embedding [Tut63, Flo03] with uniform weights: every inner vertex at the mean of its
+// neighbors, the border as given in `uv`. In exact arithmetic the map is free of flips for a convex
+// border; rounding can spoil it, so the caller checks. All other border loops are closed by a
+// virtual vertex each. False if the system cannot be solved. Cost: one sparse factorization.
+inline bool tutte_embedding(const Chart& chart, const std::vector<std::vector<int> >& loops,
+                            std::size_t outer_loop, std::vector<Eigen::Vector2d>& uv)
+{
+  const int n = chart.number_of_vertices();
+  std::vector<char> is_fixed(n, 0);
+  for(int h : loops[outer_loop])
+    is_fixed[chart.source(h)] = 1;
+
+  std::vector<int> unknowns(n + loops.size(), -1);
+  int size = 0;
+  for(const Triangle& t : chart.triangles())
+    for(int v : t)
+      if(!is_fixed[v] && unknowns[v] < 0)
+        unknowns[v] = size++;
+  for(std::size_t l = 0; l < loops.size(); ++l)
+    if(l != outer_loop)
+      unknowns[n + l] = size++;
+
+  std::vector<Eigen::Triplet<double> > entries;
+  entries.reserve(6 * chart.triangles().size());
+  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(size, 2);
+  const auto spring = [&](int v, int w)
+  {
+    for(int turn = 0; turn < 2; ++turn, std::swap(v, w))
+    {
+      if(unknowns[v] < 0)
+        continue;
+      entries.emplace_back(unknowns[v], unknowns[v], 1.);
+      if(unknowns[w] < 0)
+        right.row(unknowns[v]) += uv[w].transpose();
+      else if(unknowns[v] > unknowns[w])
+        entries.emplace_back(unknowns[v], unknowns[w], -1.);
+    }
+  };
+  for(int h = 0; h < int(chart.opposites().size()); ++h)
+    if(chart.opposite(h) < h)
+      spring(chart.source(h), chart.target(h));
+  for(std::size_t l = 0; l < loops.size(); ++l)
+    if(l != outer_loop)
+      for(int h : loops[l])
+        spring(chart.source(h), n + int(l));
+  if(size == 0)
+    return true;
+
+  Eigen::SparseMatrix<double> laplacian(size, size);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(laplacian);
+  if(solver.info() != Eigen::Success)
+    return false;
+  const Eigen::MatrixX2d solution = solver.solve(right);
+  for(int v = 0; v < n; ++v)
+    if(unknowns[v] >= 0)
+      uv[v] = solution.row(unknowns[v]).transpose();
+  return solution.allFinite();
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_TUTTE_EMBEDDING_H
