@@ -1,0 +1,82 @@
+"""The formal checks that need a compiler.
+
+usage: compiled_checks.py SOURCE_FOLDER CHECK COMPILER [OPTION...]
+
+named_parameters       each documented named parameter compiles
+package_dependencies   package_info/.../dependencies is what the headers include
+write_dependencies     writes that file
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+
+def compile_source(source, command, *options):
+    return subprocess.run(
+        [*command, "-std=c++17", *options, "-x", "c++", "-"],
+        input=source, text=True, stdout=subprocess.PIPE, check=True,
+    ).stdout
+
+
+def named_parameters(root, command):
+    names = set()
+    for path in sorted([*root.glob("include/**/*.h"), *root.glob("doc/**/*.[ht]*")]):
+        names |= set(re.findall(r"\\cgalParamNBegin\{(\w+)\}", path.read_text()))
+    source = "#include <CGAL/Named_function_parameters.h>\nint main()\n{\n  int a = 0;\n"
+    for name in sorted(names):
+        source += f"  (void)CGAL::parameters::{name}(a).{name}(a);\n"
+    compile_source(source + "}\n", command, "-fsyntax-only")
+    print("checked:", *sorted(names))
+
+
+def package_of(root, header):
+    """the CGAL package that a header belongs to, from its place or from its $URL$ line"""
+    if (root / "include") in header.parents:
+        folder = header.relative_to(root / "include/CGAL").parts[0]
+        return {"boost": "BGL", "license": "Installation"}.get(folder, folder)
+    url = re.search(r"\$URL: \S*/blob/[^/]+/(\w+)/include/", header.read_text(errors="replace"))
+    return url.group(1) if url else "Installation"
+
+
+def computed_dependencies(root, command):
+    own = sorted(root.glob("include/CGAL/Surface_mesh_cutting/**/*.h"))
+    source = "".join(f"#include <{path.relative_to(root / 'include')}>\n" for path in own)
+    words = compile_source(source, command, "-M").replace("\\\n", " ")
+    included = re.findall(r"((?:\\ |\S)+)", words)[1:]
+    included = {Path(name.replace("\\ ", " ")).resolve() for name in included}
+    return sorted({package_of(root, path) for path in included if "CGAL" in path.parts})
+
+
+def package_dependencies(root, command):
+    file = root / "package_info/Surface_mesh_cutting/dependencies"
+    written = file.read_text().splitlines()
+    computed = computed_dependencies(root, command)
+    if written != computed:
+        print("missing:", *sorted(set(computed) - set(written)))
+        print("not needed:", *sorted(set(written) - set(computed)))
+        sys.exit("package_info/Surface_mesh_cutting/dependencies is not the sorted list: "
+                 "run the target write_dependencies")
+
+
+def write_dependencies(root, command):
+    file = root / "package_info/Surface_mesh_cutting/dependencies"
+    file.write_text("\n".join(computed_dependencies(root, command)) + "\n")
+
+
+def main():
+    checks = {
+        check.__name__: check
+        for check in (named_parameters, package_dependencies, write_dependencies)
+    }
+    if len(sys.argv) < 4 or sys.argv[2] not in checks:
+        sys.exit(__doc__)
+    try:
+        checks[sys.argv[2]](Path(sys.argv[1]).resolve(), sys.argv[3:])
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"{sys.argv[2]}: the compiler failed with {error.returncode}")
+
+
+if __name__ == "__main__":
+    main()

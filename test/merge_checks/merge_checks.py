@@ -1,0 +1,242 @@
+"""The formal checks that CGAL makes before it merges a package.
+
+usage: merge_checks.py SOURCE_FOLDER CHECK
+
+prints each violation, and exits with 1 if there is one.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+LINE_LIMIT = 400
+SIZE_LIMIT = 300_000  # bytes
+TEXT = {".h", ".cpp", ".txt", ".cmake", ".py", ".sh", ".in", ".md", ".json"}
+OVERLAY = "include/CGAL/STL_Extension/internal/parameters_interface.h"
+
+
+def files(root, *folders):
+    """all files in the folders (by default, of the project), as paths relative to root"""
+    for folder in folders or ["."]:
+        for path in sorted((root / folder).rglob("*")):
+            name = path.relative_to(root)
+            if path.is_file() and not {".git", "build", "__pycache__"} & set(name.parts):
+                yield name
+
+
+def headers(root):
+    return [name for name in files(root, "include") if name.suffix == ".h"]
+
+
+def program_folders(root):
+    """the folders of programs in CGAL's form, with the suffix of their project's name"""
+    for kind, suffix in ("test", "Tests"), ("examples", "Examples"), ("benchmark", "Benchmark"):
+        for package in "Surface_mesh_cutting", "Surface_mesh_parameterization", "BGL":
+            folder = root / kind / package
+            if folder.is_dir():
+                yield folder, f"{package}_{suffix}"
+
+
+def without_comments(cmake):
+    return re.sub(r"#.*", "", cmake)
+
+
+def text_files(root):
+    """UTF-8, no tabs, no trailing blanks, one newline at the end"""
+    for name in files(root):
+        if name.suffix not in TEXT and name.parts[0] not in ("package_info", "doc"):
+            continue
+        if name.suffix in {".png", ".jpg"}:
+            continue
+        try:
+            text = (root / name).read_bytes().decode()
+        except UnicodeDecodeError as error:
+            yield f"{name}: not UTF-8 ({error})"
+            continue
+        for number, line in enumerate(text.split("\n"), 1):
+            if "\t" in line:
+                yield f"{name}:{number}: tab"
+            if line != line.rstrip():
+                yield f"{name}:{number}: trailing blank"
+        if not text.endswith("\n") or text.endswith("\n\n"):
+            yield f"{name}: does not end with exactly one newline"
+
+
+def execute_bits(root):
+    """scripts, and only scripts, are executable"""
+    for name in files(root):
+        is_script = (root / name).read_bytes().startswith(b"#!")
+        if is_script != bool((root / name).stat().st_mode & 0o111):
+            yield f"{name}: wrong execute bit"
+
+
+def license_headers(root):
+    """copyright, version tags and license, by the package that a header belongs to"""
+    for name in headers(root):
+        text = (root / name).read_text()
+        lgpl = name.parts[2] in ("boost", "STL_Extension")
+        license = ("LGPL" if lgpl else "GPL") + "-3.0-or-later OR LicenseRef-Commercial"
+        for line in (
+            "This file is part of CGAL (www.cgal.org).",
+            "$URL$",
+            "$Id$",
+            f"SPDX-License-Identifier: {license}",
+        ):
+            if f"\n// {line}\n" not in text:
+                yield f"{name}: no line '// {line}'"
+        if not re.match(r"// Copyright \(c\) \d{4} .+\n// All rights reserved\.\n", text):
+            yield f"{name}: does not start with a copyright"
+        if not re.search(r"^// Author\(s\) +: .", text, re.M):
+            yield f"{name}: no authors"
+        if not lgpl and "internal" not in name.parts and name.parts[2] != "license":
+            if f"#include <CGAL/license/{name.parts[2]}.h>" not in text:
+                yield f"{name}: does not include its license"
+
+
+def include_guards(root):
+    """guards are named after the path"""
+    for name in headers(root):
+        if name.as_posix() == OVERLAY:
+            continue
+        path = name.relative_to("include").as_posix()
+        guard = re.sub(r"[^A-Z0-9]", "_", path.upper())
+        text = (root / name).read_text()
+        if f"\n#ifndef {guard}\n#define {guard}\n" not in text or not text.rstrip().endswith(
+            f"#endif // {guard}"
+        ):
+            yield f"{name}: include guard is not {guard}"
+
+
+def include_style(root):
+    """includes are in angle brackets, and none leads to a package that depends on the including one"""
+    upward = {
+        "boost": ("CGAL/Surface_mesh_cutting/", "CGAL/Surface_mesh_parameterization/"),
+        "Surface_mesh_parameterization": ("CGAL/Surface_mesh_cutting/",),
+    }
+    for name in headers(root):
+        text = (root / name).read_text()
+        for included in re.findall(r'^#\s*include\s*"(.*)"', text, re.M):
+            yield f'{name}: "{included}" is not in angle brackets'
+        for included in re.findall(r"^#\s*include\s*<(.*)>", text, re.M):
+            if included.startswith(upward.get(name.parts[2], ())):
+                yield f"{name}: must not depend on {included}"
+
+
+def unique_names(root):
+    """no two paths differ only in case"""
+    seen = {}
+    for name in files(root):
+        other = seen.setdefault(name.as_posix().lower(), name)
+        if other != name:
+            yield f"{name}: differs from {other} only in case"
+
+
+def listed_programs(root):
+    """every program is named in the CMakeLists.txt of its folder, which has CGAL's form"""
+    for folder, project in program_folders(root):
+        name = (folder / "CMakeLists.txt").relative_to(root)
+        if not (root / name).exists():
+            yield f"{name}: missing"
+            continue
+        cmake = without_comments((root / name).read_text())
+        if not cmake.lstrip().startswith("cmake_minimum_required(VERSION 3.12...3.31)"):
+            yield f"{name}: does not start with cmake_minimum_required(VERSION 3.12...3.31)"
+        if not re.search(rf"project\(\s*{project}\s*\)", cmake):
+            yield f"{name}: the project is not called {project}"
+        for program in sorted(folder.glob("*.cpp")):
+            if not re.search(rf"\b{program.stem}\b", cmake):
+                yield f"{name}: does not name {program.name}"
+
+
+def listed_examples(root):
+    """every example is listed in the documentation, and every listed example exists"""
+    listing = root / "doc/Surface_mesh_cutting/examples.txt"
+    listed = set(re.findall(r"\\example (\S+)", listing.read_text()))
+    existing = {
+        path.relative_to(root / "examples").as_posix()
+        for folder, project in program_folders(root)
+        if project.endswith("_Examples")
+        for path in folder.glob("*.cpp")
+    }
+    for name in sorted(existing - listed):
+        yield f"{listing.relative_to(root)}: does not list {name}"
+    for name in sorted(listed - existing):
+        yield f"{listing.relative_to(root)}: lists {name}, which does not exist"
+
+
+def file_lengths(root):
+    """files are small; long_files.txt names the exceptions, each with its reason"""
+    allowed = {}
+    for line in (root / "test/merge_checks/long_files.txt").read_text().splitlines():
+        if line and not line.startswith("#"):
+            name, _, reason = line.partition(" ")
+            allowed[name] = reason.strip()
+    for name, reason in allowed.items():
+        if not reason or not (root / name).exists():
+            yield f"long_files.txt: {name} needs a reason, and to exist"
+    for name in files(root):
+        content = (root / name).read_bytes()
+        if name.as_posix() in allowed:
+            continue
+        if len(content) > SIZE_LIMIT:
+            yield f"{name}: {len(content)} bytes"
+        if name.suffix in TEXT and content.count(b"\n") > LINE_LIMIT:
+            yield f"{name}: {content.count(bytes([10]))} lines"
+
+
+def absolute_paths(root):
+    """no path of a particular machine"""
+    pattern = re.compile(r"""(?<![\w.$})/-])/(home|root|work|tmp|mnt|opt|Users)/\w""")
+    for name in files(root):
+        if name.suffix not in TEXT and name.suffix != "":
+            continue
+        for number, line in enumerate((root / name).read_text().splitlines(), 1):
+            if pattern.search(line):
+                yield f"{name}:{number}: {line.strip()}"
+
+
+def package_info(root):
+    """all files of package_info are there, and dependencies are sorted"""
+    folder = root / "package_info/Surface_mesh_cutting"
+    for file in (
+        "copyright",
+        "dependencies",
+        "description.txt",
+        "license.txt",
+        "long_description.txt",
+        "maintainer",
+    ):
+        if not (folder / file).is_file() or not (folder / file).read_text().strip():
+            yield f"package_info: {file} is missing or empty"
+    for file in folder / "dependencies", root / "doc/Surface_mesh_cutting/dependencies":
+        lines = file.read_text().splitlines()
+        if len(lines) != len(set(lines)):
+            yield f"{file.relative_to(root)}: names a package twice"
+
+
+CHECKS = [
+    text_files,
+    execute_bits,
+    license_headers,
+    include_guards,
+    include_style,
+    unique_names,
+    listed_programs,
+    listed_examples,
+    file_lengths,
+    absolute_paths,
+    package_info,
+]
+
+
+def main():
+    checks = {check.__name__: check for check in CHECKS}
+    if len(sys.argv) != 3 or sys.argv[2] not in checks:
+        sys.exit(__doc__ + "\nchecks: " + " ".join(checks))
+    problems = list(checks[sys.argv[2]](Path(sys.argv[1])))
+    print(*problems, sep="\n")
+    sys.exit(bool(problems))
+
+
+if __name__ == "__main__":
+    main()
