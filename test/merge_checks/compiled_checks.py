@@ -23,7 +23,7 @@ def compile_source(source, command, *options):
 def named_parameters(root, command):
     names = set()
     for path in sorted([*root.glob("include/**/*.h"), *root.glob("doc/**/*.[ht]*")]):
-        names |= set(re.findall(r"\\cgalParamNBegin\{(\w+)\}", path.read_text()))
+        names |= set(re.findall(r"\\cgalParamNBegin\{(\w+)\}", path.read_text(errors="replace")))
     source = "#include <CGAL/Named_function_parameters.h>\nint main()\n{\n  int a = 0;\n"
     for name in sorted(names):
         source += f"  (void)CGAL::parameters::{name}(a).{name}(a);\n"

@@ -24,6 +24,10 @@ def files(root, *folders):
                 yield name
 
 
+def read(path):
+    return path.read_text(encoding="utf-8", errors="replace")
+
+
 def headers(root):
     return [name for name in files(root, "include") if name.suffix == ".h"]
 
@@ -73,7 +77,7 @@ def execute_bits(root):
 def license_headers(root):
     """copyright, version tags and license, by the package that a header belongs to"""
     for name in headers(root):
-        text = (root / name).read_text()
+        text = read(root / name)
         lgpl = name.parts[2] in ("boost", "STL_Extension")
         license = ("LGPL" if lgpl else "GPL") + "-3.0-or-later OR LicenseRef-Commercial"
         for line in (
@@ -100,7 +104,7 @@ def include_guards(root):
             continue
         path = name.relative_to("include").as_posix()
         guard = re.sub(r"[^A-Z0-9]", "_", path.upper())
-        text = (root / name).read_text()
+        text = read(root / name)
         if f"\n#ifndef {guard}\n#define {guard}\n" not in text or not text.rstrip().endswith(
             f"#endif // {guard}"
         ):
@@ -114,7 +118,7 @@ def include_style(root):
         "Surface_mesh_parameterization": ("CGAL/Surface_mesh_cutting/",),
     }
     for name in headers(root):
-        text = (root / name).read_text()
+        text = read(root / name)
         for included in re.findall(r'^#\s*include\s*"(.*)"', text, re.M):
             yield f'{name}: "{included}" is not in angle brackets'
         for included in re.findall(r"^#\s*include\s*<(.*)>", text, re.M):
@@ -138,7 +142,7 @@ def listed_programs(root):
         if not (root / name).exists():
             yield f"{name}: missing"
             continue
-        cmake = without_comments((root / name).read_text())
+        cmake = without_comments(read(root / name))
         if not cmake.lstrip().startswith("cmake_minimum_required(VERSION 3.12...3.31)"):
             yield f"{name}: does not start with cmake_minimum_required(VERSION 3.12...3.31)"
         if not re.search(rf"project\(\s*{project}\s*\)", cmake):
@@ -151,7 +155,7 @@ def listed_programs(root):
 def listed_examples(root):
     """every example is listed in the documentation, and every listed example exists"""
     listing = root / "doc/Surface_mesh_cutting/examples.txt"
-    listed = set(re.findall(r"\\example (\S+)", listing.read_text()))
+    listed = set(re.findall(r"\\example (\S+)", read(listing)))
     existing = {
         path.relative_to(root / "examples").as_posix()
         for folder, project in program_folders(root)
@@ -167,7 +171,7 @@ def listed_examples(root):
 def file_lengths(root):
     """files are small; long_files.txt names the exceptions, each with its reason"""
     allowed = {}
-    for line in (root / "test/merge_checks/long_files.txt").read_text().splitlines():
+    for line in read(root / "test/merge_checks/long_files.txt").splitlines():
         if line and not line.startswith("#"):
             name, _, reason = line.partition(" ")
             allowed[name] = reason.strip()
@@ -190,7 +194,7 @@ def absolute_paths(root):
     for name in files(root):
         if name.suffix not in TEXT and name.suffix != "":
             continue
-        for number, line in enumerate((root / name).read_text().splitlines(), 1):
+        for number, line in enumerate(read(root / name).splitlines(), 1):
             if pattern.search(line):
                 yield f"{name}:{number}: {line.strip()}"
 
@@ -206,10 +210,10 @@ def package_info(root):
         "long_description.txt",
         "maintainer",
     ):
-        if not (folder / file).is_file() or not (folder / file).read_text().strip():
+        if not (folder / file).is_file() or not read(folder / file).strip():
             yield f"package_info: {file} is missing or empty"
     for file in folder / "dependencies", root / "doc/Surface_mesh_cutting/dependencies":
-        lines = file.read_text().splitlines()
+        lines = read(file).splitlines()
         if len(lines) != len(set(lines)):
             yield f"{file.relative_to(root)}: names a package twice"
 
