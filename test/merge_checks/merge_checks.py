@@ -238,7 +238,8 @@ def main():
     if len(sys.argv) != 3 or sys.argv[2] not in checks:
         sys.exit(__doc__ + "\nchecks: " + " ".join(checks))
     problems = list(checks[sys.argv[2]](Path(sys.argv[1])))
-    print(*problems, sep="\n")
+    for problem in problems:
+        print(problem)
     sys.exit(bool(problems))
 
 
