@@ -34,8 +34,9 @@ struct Finding
 {
   /// what was found.
   Status_code code = Status_code::OK;
-  /// one line for a human reader; it names elements by their position in `vertices(tmesh)`,
-  /// `edges(tmesh)` and `faces(tmesh)`. Empty if `code` is `Status_code::OK`.
+  /// one line for a human reader; it names the first of the elements: vertices and faces by their
+  /// positions in `vertices(tmesh)` and `faces(tmesh)`, edges by their two vertices. Empty if there
+  /// is nothing to tell. The `code` of a warning is `Status_code::OK`.
   std::string message;
   /// the vertices at which it was found, at most one of the three lists is not empty.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_MESH_CHECKS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_MESH_CHECKS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The vertices whose faces form more than one fan. O(n).
+inline std::vector<int> vertices_with_several_fans(const Flat_mesh& mesh)
+{
+  std::vector<int> number_of_fans(mesh.number_of_vertices(), 0);
+  std::vector<char> is_visited(mesh.number_of_halfedges(), 0);
+  for(int seed = 0; seed < mesh.number_of_halfedges(); ++seed)
+  {
+    if(is_visited[seed])
+      continue;
+    ++number_of_fans[mesh.source(seed)];
+    int h = seed;
+    do
+    {
+      is_visited[h] = 1;
+      h = mesh.opposite(previous_halfedge(h));
+    }
+    while(h >= 0 && h != seed);
+    if(h >= 0)
+      continue;
+    for(h = mesh.opposite(seed); h >= 0; h = mesh.opposite(next_halfedge(h)))
+      is_visited[next_halfedge(h)] = 1;
+  }
+  std::vector<int> vertices;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(number_of_fans[v] > 1)
+      vertices.push_back(v);
+  return vertices;
+}
+
+// The faces that have the three vertices of another face in the same order. Two faces with the same
+// vertices in opposite orders are the two sides of a pillow and legal. O(n), as only faces at two
+// edges between the same two vertices need to be compared.
+inline std::vector<int> faces_given_twice(const Flat_mesh& mesh)
+{
+  std::vector<char> is_parallel(mesh.number_of_edges(), 0);
+  std::vector<int> latest(mesh.number_of_vertices(), -1); // entry of the latest row
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    for(int i = mesh.row_begin(v); i < mesh.row_end(v); ++i)
+    {
+      const int former = std::exchange(latest[mesh.neighbor(i)], i);
+      if(former >= mesh.row_begin(v))
+        is_parallel[mesh.neighbor_edge(i)] = is_parallel[mesh.neighbor_edge(former)] = 1;
+    }
+
+  std::vector<std::pair<Triangle, int> > candidates;
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    if(is_parallel[mesh.edge(3 * f)] && is_parallel[mesh.edge(3 * f + 1)] && is_parallel[mesh.edge(3 * f + 2)])
+    {
+      Triangle t = mesh.triangles()[f];
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      candidates.emplace_back(t, f);
+    }
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<int> faces;
+  for(std::size_t i = 0; i < candidates.size(); ++i)
+    if((i > 0 && candidates[i].first == candidates[i - 1].first) ||
+       (i + 1 < candidates.size() && candidates[i].first == candidates[i + 1].first))
+      faces.push_back(candidates[i].second);
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+// The faces so thin that their shape is replaced: the height is below 1e-7 of the longest edge.
+inline std::vector<int> degenerate_faces(const Flat_mesh& mesh)
+{
+  std::vector<int> faces;
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    double longest = 0;
+    for(int h = 3 * f; h < 3 * f + 3; ++h)
+      longest = (std::max)(longest, mesh.length(mesh.edge(h)));
+    if(2 * mesh.face_area(f) <= 1e-7 * longest * longest)
+      faces.push_back(f);
+  }
+  return faces;
+}
+
+// The border vertices at the very point of another one: often the surface was meant to be closed.
+inline std::vector<int> coincident_border_vertices(const Flat_mesh& mesh)
+{
+  std::vector<std::pair<std::array<double, 3>, int> > places;
+  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(mesh.is_border(h))
+    {
+      const Point& p = mesh.point(mesh.source(h));
+      places.emplace_back(std::array<double, 3>{{p.x(), p.y(), p.z()}}, mesh.source(h));
+    }
+  std::sort(places.begin(), places.end());
+  std::vector<int> vertices;
+  for(std::size_t i = 0; i < places.size(); ++i)
+    if((i > 0 && places[i].first == places[i - 1].first) ||
+       (i + 1 < places.size() && places[i].first == places[i + 1].first))
+      vertices.push_back(places[i].second);
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+// What a mesh whose halfedges fit together may still be refused for, and what is worth a warning.
+inline Flat_status check_mesh(const Flat_mesh& mesh)
+{
+  std::vector<int> found = vertices_with_several_fans(mesh);
+  if(!found.empty())
+    return Flat_status(Status_code::NON_MANIFOLD, "vertices whose faces form more than one fan",
+                       Element_kind::VERTEX, std::move(found));
+  found = faces_given_twice(mesh);
+  if(!found.empty())
+    return Flat_status(Status_code::NON_MANIFOLD, "faces given twice", Element_kind::FACE, std::move(found));
+
+  Flat_status status;
+  const auto warn = [&status](const char* message, Element_kind kind, std::vector<int> indices)
+  {
+    if(!indices.empty())
+      status.warnings.push_back(Finding{Status_code::OK, message, kind, std::move(indices)});
+  };
+  std::vector<int> isolated, points;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(mesh.is_isolated(v))
+      isolated.push_back(v);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(mesh.length(e) == 0)
+      points.push_back(e);
+  warn("isolated vertices, which are ignored", Element_kind::VERTEX, std::move(isolated));
+  warn("edges of length zero", Element_kind::EDGE, std::move(points));
+  warn("faces of (nearly) no area, which are treated as slightly thicker", Element_kind::FACE, degenerate_faces(mesh));
+  warn("border vertices at the same point: does the surface need to be stitched?", Element_kind::VERTEX,
+       coincident_border_vertices(mesh));
+  return status;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_MESH_CHECKS_H
