@@ -1,0 +1,28 @@
+// A surface and the plane layout of its triangles, as the writers need them.
+
+#ifndef UNWRAP_LAYOUT_H
+#define UNWRAP_LAYOUT_H
+
+#include <array>
+#include <vector>
+
+struct Layout
+{
+  using Triangle = std::array<int, 3>;
+  using Edge = std::array<int, 2>;
+
+  std::vector<std::array<double, 3> > points;
+  std::vector<Triangle> triangles;
+
+  // One point per UV vertex: corners share it unless a cut edge lies between them.
+  std::vector<std::array<double, 2> > uv_points;
+  std::vector<Triangle> uv_triangles;
+  std::vector<Edge> chart_borders; // between UV vertices, each border once
+
+  std::vector<Edge> cut; // between vertices
+  std::vector<int> feature_points; // vertices
+  std::vector<double> distortions; // per triangle: symmetric Dirichlet energy, 4 is ideal
+  double bounding_box_diagonal = 0;
+};
+
+#endif // UNWRAP_LAYOUT_H

@@ -1,0 +1,35 @@
+// Points and polygons as a file lists them, before anything is known about their connectivity.
+
+#ifndef UNWRAP_POLYGON_SOUP_H
+#define UNWRAP_POLYGON_SOUP_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+struct Polygon_soup
+{
+  using Point = std::array<double, 3>;
+
+  std::vector<Point> points;
+  std::vector<int> corners; // point indices of all polygons, one polygon after the other
+  std::vector<std::size_t> polygon_ends; // per polygon, where its corners end
+
+  // Makes a polygon of the corners added since the last call.
+  void close_polygon() { polygon_ends.push_back(corners.size()); }
+
+  int number_of_points() const { return int(points.size()); }
+  int number_of_polygons() const { return int(polygon_ends.size()); }
+
+  std::size_t first_corner(int polygon) const
+  {
+    return polygon == 0 ? 0 : polygon_ends[std::size_t(polygon) - 1];
+  }
+  int number_of_corners(int polygon) const
+  {
+    return int(polygon_ends[std::size_t(polygon)] - first_corner(polygon));
+  }
+  int corner(int polygon, int k) const { return corners[first_corner(polygon) + std::size_t(k)]; }
+};
+
+#endif // UNWRAP_POLYGON_SOUP_H

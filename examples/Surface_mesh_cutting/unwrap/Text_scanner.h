@@ -1,0 +1,46 @@
+// Splits text into words and words into numbers.
+
+#ifndef UNWRAP_TEXT_SCANNER_H
+#define UNWRAP_TEXT_SCANNER_H
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+// A `#` starts a comment, which ends with the line. An unexpected word is a
+// `Failure` with `Exit_code::UNREADABLE` that names the line.
+class Text_scanner
+{
+public:
+  explicit Text_scanner(std::string_view text, int line = 1) : m_text(text), m_line(line) {}
+
+  // The next word; empty at the end of the text.
+  std::string_view word();
+  // The next word of the current line; empty if there is none.
+  std::string_view word_in_line();
+  // Leaves the current line.
+  void skip_line();
+
+  // The next word as a number. Whether it may be in a later line: `word()`, `word_in_line()`.
+  double number() { return to_number(word()); }
+  double number_in_line() { return to_number(word_in_line()); }
+  // A non-negative integer that can serve as a count or as an index.
+  int index() { return to_index(word()); }
+  int index_in_line() { return to_index(word_in_line()); }
+
+  double to_number(std::string_view word) const;
+  int to_integer(std::string_view word) const;
+  int to_index(std::string_view word) const;
+
+  int line() const { return m_line; }
+  std::string_view rest() const { return m_text; }
+
+  // Throws the `Failure` that what is expected here is not `word`.
+  [[noreturn]] void fail(const std::string& expected, std::string_view word) const;
+
+private:
+  std::string_view m_text; // what is not read yet
+  int m_line;
+};
+
+#endif // UNWRAP_TEXT_SCANNER_H

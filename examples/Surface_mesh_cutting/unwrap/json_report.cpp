@@ -1,0 +1,97 @@
+#include "json_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sys/resource.h>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Value>
+Json to_json(const std::optional<Value>& value)
+{
+  return value ? Json(*value) : Json();
+}
+
+Json to_json(const std::optional<double>& value)
+{
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+Json to_json(const Phase_seconds& seconds)
+{
+  return {{"candidates", to_json(seconds.candidates)}, {"filter", to_json(seconds.filter)},
+          {"connect", to_json(seconds.connect)},       {"refine", to_json(seconds.refine)},
+          {"parameterize", to_json(seconds.parameterize)}, {"total", to_json(seconds.total)}};
+}
+
+Json to_json(const Witness& witness)
+{
+  switch(witness.kind)
+  {
+    case Witness::Kind::VERTICES: return {{"kind", "vertices"}, {"indices", witness.indices}};
+    case Witness::Kind::EDGES: return {{"kind", "edges"}, {"indices", witness.indices}};
+    case Witness::Kind::FACES: return {{"kind", "faces"}, {"indices", witness.indices}};
+    case Witness::Kind::NONE: break;
+  }
+  return nullptr;
+}
+
+double peak_memory_in_megabytes()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / 1024; // given in kilobytes
+}
+
+} // namespace
+
+const char* name_of(Exit_code code)
+{
+  switch(code)
+  {
+    case Exit_code::DONE: return "done";
+    case Exit_code::USAGE: return "usage";
+    case Exit_code::UNREADABLE: return "unreadable";
+    case Exit_code::UNSUPPORTED: return "unsupported";
+    case Exit_code::FAILED: return "failed";
+    case Exit_code::STOPPED: return "stopped";
+    case Exit_code::BOUND_NOT_REACHED: return "bound_not_reached";
+  }
+  return "";
+}
+
+std::string to_json(const Outcome& outcome)
+{
+  const Json report = {
+    {"status", name_of(outcome.exit_code)},
+    {"message", outcome.message},
+    {"warnings", outcome.warnings},
+    {"witness", to_json(outcome.witness)},
+    {"vertices", to_json(outcome.vertices)},
+    {"faces", to_json(outcome.faces)},
+    {"components", to_json(outcome.components)},
+    {"genus", to_json(outcome.genus)},
+    {"borders", to_json(outcome.borders)},
+    {"candidates", to_json(outcome.candidates)},
+    {"features", to_json(outcome.features)},
+    {"auxiliary", to_json(outcome.auxiliary)},
+    {"cut_length", to_json(outcome.cut_length)},
+    {"cut_lower_bound", to_json(outcome.cut_lower_bound)},
+    {"optimal", to_json(outcome.is_optimal)},
+    {"E_iso", to_json(outcome.average_energy)},
+    {"E_max", to_json(outcome.maximum_energy)},
+    {"flips", to_json(outcome.flips)},
+    {"overlaps", to_json(outcome.overlaps)},
+    {"seconds", to_json(outcome.seconds)},
+    {"cpu_seconds", to_json(outcome.cpu_seconds)},
+    {"threads", to_json(outcome.threads)},
+    {"seed", to_json(outcome.seed)},
+    {"effort", to_json(outcome.effort)},
+    {"solver", to_json(outcome.solver)},
+    {"peak_memory_mb", peak_memory_in_megabytes()}};
+  // File names need not be UTF-8.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}

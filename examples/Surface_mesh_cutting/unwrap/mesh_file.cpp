@@ -1,0 +1,82 @@
+#include "mesh_file.h"
+
+#include "Text_scanner.h"
+#include "outcome.h"
+#include "read_with_cgal.h"
+
+#include <algorithm>
+#include <cctype>
+#include <climits>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace {
+
+using Reader = Polygon_soup (*)(std::string_view);
+
+std::string read_bytes(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if(!std::filesystem::exists(status))
+    throw Failure(Exit_code::UNREADABLE, "there is no such file");
+  if(!std::filesystem::is_regular_file(status))
+    throw Failure(Exit_code::UNREADABLE, "not a file");
+
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes;
+  if(file)
+  {
+    bytes.resize(std::size_t(std::filesystem::file_size(path)));
+    file.read(&bytes[0], std::streamsize(bytes.size()));
+  }
+  if(!file)
+    throw Failure(Exit_code::UNREADABLE, "the file cannot be read");
+  return bytes;
+}
+
+Reader find_reader_by_extension(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension == ".off" ? read_off
+       : extension == ".obj" ? read_obj
+       : extension == ".ply" ? read_ply
+       : extension == ".stl" ? read_stl : nullptr;
+}
+
+Reader find_reader_by_content(std::string_view bytes)
+{
+  const std::string_view word = Text_scanner(bytes).word();
+  return word == "OFF" ? read_off : word == "ply" ? read_ply : word == "solid" ? read_stl : nullptr;
+}
+
+void check_indices(const Polygon_soup& soup)
+{
+  for(int polygon = 0; polygon < soup.number_of_polygons(); ++polygon)
+    for(int k = 0; k < soup.number_of_corners(polygon); ++k)
+      if(soup.corner(polygon, k) >= soup.number_of_points())
+        throw Failure(Exit_code::UNREADABLE,
+                      "face " + std::to_string(polygon) + " refers to vertex "
+                        + std::to_string(soup.corner(polygon, k)) + ", but there are only "
+                        + std::to_string(soup.number_of_points()) + " (all counted from 0)",
+                      {Witness::Kind::FACES, {polygon}});
+}
+
+} // namespace
+
+Polygon_soup read_mesh_file(const std::string& path)
+{
+  const std::string bytes = read_bytes(path);
+  Reader read = find_reader_by_extension(path);
+  if(read == nullptr)
+    read = find_reader_by_content(bytes);
+
+  const Polygon_soup soup = read != nullptr ? read(bytes) : read_with_cgal(path);
+  if(soup.corners.size() > std::size_t(INT_MAX) || soup.points.size() > std::size_t(INT_MAX))
+    throw Failure(Exit_code::UNREADABLE, "the mesh is too large");
+  check_indices(soup);
+  return soup;
+}

@@ -1,0 +1,28 @@
+// Reading of mesh files.
+//
+// The readers are our own because those of CGAL trust what a file says about itself: a header with
+// wrong counts makes them allocate gigabytes, and several defects pass unnoticed or undescribed.
+// Here nothing is allocated that the size of the file does not account for, and every error
+// says where it is.
+
+#ifndef UNWRAP_MESH_FILE_H
+#define UNWRAP_MESH_FILE_H
+
+#include "Polygon_soup.h"
+
+#include <string>
+#include <string_view>
+
+// Reads OFF, OBJ, PLY, STL, and what else CGAL reads. Points and polygons keep number and order;
+// only for STL, which has no indices, exactly equal points become one.
+// Throws a `Failure` with `Exit_code::UNREADABLE`.
+Polygon_soup read_mesh_file(const std::string& path);
+
+// Readers of one format, given the bytes of the file.
+// That indices are in range is checked by `read_mesh_file()`.
+Polygon_soup read_off(std::string_view text);
+Polygon_soup read_obj(std::string_view text);
+Polygon_soup read_ply(std::string_view bytes);
+Polygon_soup read_stl(std::string_view bytes);
+
+#endif // UNWRAP_MESH_FILE_H

@@ -1,0 +1,163 @@
+#include "options.h"
+
+#include "outcome.h"
+#include "run_unwrap.h"
+
+#include <CGAL/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <system_error>
+
+namespace {
+
+const char* const description =
+  "Cuts a triangle mesh open and flattens it: reads a surface, finds a short cut after which it\n"
+  "lies flat with little distortion, and writes the mesh with texture coordinates.\n";
+
+const char* const footer = R"(
+Input: OFF, OBJ, PLY and STL files, and what else CGAL reads. The mesh has to be a consistently
+oriented manifold of triangles. Nothing is repaired: vertices and faces keep number and order
+(only for STL, which has no indices, equal points become one vertex).
+
+Output: texture coordinates have the scale of the surface. Corners share one unless a cut edge
+lies between them. All files appear together when the run is complete, or none.
+
+Exit status:
+  0  done
+  2  wrong usage, or an output that cannot be written
+  3  the input cannot be read, is truncated, or has indices out of range
+  4  the mesh is not supported: not triangles, not a manifold, inconsistently oriented,
+     coordinates that are not finite, no faces; the message says where, counting from 0
+  5  no valid result was found
+  6  stopped by the time limit or by Ctrl-C (a second Ctrl-C ends at once)
+  7  the result is valid, but a requested bound was not reached
+With 2 to 5, nothing but the JSON report is written.
+
+Examples:
+  unwrap cow.off                                   writes cow.uv.obj
+  unwrap cow.off -o flat.obj --texture check.png   look at flat.obj in any viewer
+  unwrap cow.off --svg flat.svg --json -           picture, and measures on the terminal
+)";
+
+// Whole decimal numbers, nothing else: CLI11 would take 010 for eight and NaN for in range.
+template <typename Number>
+Number parse_number(const std::string& option, const std::string& word, Number low, Number high)
+{
+  Number result = 0;
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result parsed = std::from_chars(word.data(), end, result);
+  if(word.empty() || parsed.ptr != end || parsed.ec != std::errc() || !(low <= result)
+     || !(result <= high))
+  {
+    std::ostringstream message;
+    message << option << ": '" << word << "' is not a number from " << low << " to " << high;
+    throw CLI::ValidationError(message.str(), CLI::ExitCodes::ValidationError);
+  }
+  return result;
+}
+
+template <typename Number, typename Target>
+CLI::Option* add_number(CLI::App& app, const std::string& name, Target& target,
+                        const std::string& help, Number low, Number high)
+{
+  return app.add_option_function<std::string>(
+    name, [=, &target](const std::string& word) { target = parse_number(name, word, low, high); },
+    help);
+}
+
+void add_output_options(CLI::App& app, Options& options)
+{
+  const std::string group = "Output";
+  app.add_option("-o,--output", options.output,
+                 "Mesh with texture coordinates\n(default: name of INPUT with .uv.obj, "
+                 "in the current folder)")
+    ->type_name("OUT.obj")->group(group);
+  app.add_option("--json", options.json, "Report of measures; - is the standard output")
+    ->type_name("FILE")->group(group);
+  app.add_option("--svg", options.svg, "Picture of the layout, colored by distortion")
+    ->type_name("FILE")->group(group);
+  app.add_option("--texture", options.texture,
+                 "Checkerboard image, which OUT.obj then shows\n(adds OUT.mtl beside it)")
+    ->type_name("FILE.png")->group(group);
+  app.add_option("--obj-cut", options.obj_cut, "The cut as lines, in the OBJ format")
+    ->type_name("FILE")->group(group);
+  app.add_flag("--quiet", options.is_quiet, "No progress, no summary; errors and warnings remain")
+    ->group(group);
+}
+
+void add_run_options(CLI::App& app, Options& options)
+{
+  const std::string group = "Computation";
+  add_number<std::uint32_t>(app, "--seed", options.seed, "Start of the random numbers", 0,
+                            (std::numeric_limits<std::uint32_t>::max)())
+    ->type_name("N")->default_str("0")->group(group);
+  add_number<int>(app, "--threads", options.threads,
+                  "Number of threads; the result does not depend on it", 1, 1024)
+    ->type_name("N")->default_str("all cores")->group(group);
+  app.add_option("--solver", options.solver, "Solver of linear systems")
+    ->check(CLI::IsMember(available_solvers()))->default_str(options.solver)->group(group);
+  add_number<double>(app, "--time-limit", options.time_limit, "Stop after so many seconds", 0, 1e9)
+    ->type_name("S")->default_str("none")->group(group);
+}
+
+// Where the report goes if the command line cannot be understood as a whole.
+std::string find_json_file(int argc, char** argv)
+{
+  for(int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    if(argument == "--json" && i + 1 < argc)
+      return argv[i + 1];
+    if(argument.compare(0, 7, "--json=") == 0)
+      return argument.substr(7);
+  }
+  return "";
+}
+
+// What the options mean together.
+void complete(Options& options)
+{
+  if(options.output.empty())
+    options.output = std::filesystem::path(options.input).stem().string() + ".uv.obj";
+}
+
+} // namespace
+
+Command_line parse_command_line(int argc, char** argv)
+{
+  Command_line result;
+  Options& options = result.options;
+  options.threads = available_threads();
+  options.solver = available_solvers().back();
+
+  CLI::App app(description, "unwrap");
+  app.footer(footer);
+  app.set_version_flag("--version", "unwrap (CGAL " CGAL_VERSION_STR ")");
+  app.add_option("INPUT", options.input, "Mesh file")->type_name("")->required();
+  add_output_options(app, options);
+  add_run_options(app, options);
+  try
+  {
+    app.parse(argc, argv);
+    complete(options);
+  }
+  catch(const CLI::Success& success) // help or version
+  {
+    result.is_done = true;
+    result.exit_code = app.exit(success);
+  }
+  catch(const CLI::ParseError& error)
+  {
+    result.is_done = true;
+    result.exit_code = int(Exit_code::USAGE);
+    result.message = error.what();
+    options.json = find_json_file(argc, argv);
+  }
+  return result;
+}

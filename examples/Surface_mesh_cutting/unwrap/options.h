@@ -1,0 +1,36 @@
+// The command line.
+
+#ifndef UNWRAP_OPTIONS_H
+#define UNWRAP_OPTIONS_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+struct Options
+{
+  std::string input;
+  // Files to write; an empty name stands for none, for `json` "-" is the standard output.
+  std::string output, json, svg, texture, obj_cut;
+  bool is_quiet = false;
+
+  std::uint32_t seed = 0;
+  int threads = 1;
+  std::string solver;
+  std::optional<double> time_limit; // in seconds
+};
+
+// What the command line asks for.
+struct Command_line
+{
+  Options options;
+  // Whether there is nothing to do but to end with `exit_code` and, if that is not 0, `message`.
+  bool is_done = false;
+  int exit_code = 0;
+  std::string message;
+};
+
+// Answers `--help` and `--version` itself.
+Command_line parse_command_line(int argc, char** argv);
+
+#endif // UNWRAP_OPTIONS_H

@@ -1,0 +1,85 @@
+// How a run ended and what it measured: what the exit status, the messages and the JSON report
+// are made from.
+
+#ifndef UNWRAP_OUTCOME_H
+#define UNWRAP_OUTCOME_H
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+enum class Exit_code
+{
+  DONE = 0,
+  USAGE = 2,
+  UNREADABLE = 3,
+  UNSUPPORTED = 4,
+  FAILED = 5,
+  STOPPED = 6,
+  BOUND_NOT_REACHED = 7
+};
+
+// The elements of the input at which something was found, counted from 0.
+// An edge is named by its two vertices, which stand next to each other in the list.
+struct Witness
+{
+  enum class Kind { NONE, VERTICES, EDGES, FACES };
+
+  Kind kind = Kind::NONE;
+  std::vector<int> indices;
+};
+
+// Ends the run without a result.
+class Failure : public std::runtime_error
+{
+public:
+  Failure(Exit_code code, const std::string& message, Witness witness = {})
+    : std::runtime_error(message), code(code), witness(std::move(witness))
+  {}
+
+  Exit_code code;
+  Witness witness;
+};
+
+// Seconds spent in the phases of the method.
+struct Phase_seconds
+{
+  std::optional<double> candidates, filter, connect, refine, parameterize, total;
+};
+
+// All that is known about a run. What was not computed has no value.
+struct Outcome
+{
+  Exit_code exit_code = Exit_code::DONE;
+  std::string message;
+  std::vector<std::string> warnings;
+  Witness witness;
+
+  std::optional<int> vertices, faces, components, genus, borders;
+  std::optional<int> candidates, features, auxiliary;
+  std::optional<double> cut_length, cut_lower_bound; // over the bounding box diagonal
+  std::optional<bool> is_optimal;
+  std::optional<double> average_energy, maximum_energy;
+  std::optional<int> flips, overlaps;
+  Phase_seconds seconds, cpu_seconds;
+
+  std::optional<int> threads;
+  std::optional<std::uint32_t> seed;
+  std::optional<std::string> effort, solver;
+
+  // Whether there is a valid result to write.
+  bool has_result = false;
+
+  void set_failure(Exit_code code, std::string reason, Witness where = {})
+  {
+    exit_code = code;
+    message = std::move(reason);
+    witness = std::move(where);
+    has_result = false;
+  }
+};
+
+#endif // UNWRAP_OUTCOME_H

@@ -1,0 +1,100 @@
+#include "Text_scanner.h"
+#include "byte_order.h"
+#include "mesh_file.h"
+#include "outcome.h"
+
+#include <boost/functional/hash.hpp>
+
+#include <cstdint>
+#include <unordered_map>
+
+namespace {
+
+// Gives exactly equal points the same index, in the order of their first appearance.
+class Point_merger
+{
+public:
+  explicit Point_merger(Polygon_soup& soup) : m_soup(soup) {}
+
+  void add_corner(double x, double y, double z)
+  {
+    const Polygon_soup::Point point = {{x + 0.0, y + 0.0, z + 0.0}}; // -0 becomes 0
+    const auto inserted = m_indices.emplace(point, m_soup.number_of_points());
+    if(inserted.second)
+      m_soup.points.push_back(point);
+    m_soup.corners.push_back(inserted.first->second);
+  }
+
+private:
+  Polygon_soup& m_soup;
+  std::unordered_map<Polygon_soup::Point, int, boost::hash<Polygon_soup::Point> > m_indices;
+};
+
+constexpr std::size_t header_size = 84;
+constexpr std::size_t facet_size = 50;
+
+std::size_t size_of_binary_file(std::string_view bytes)
+{
+  return header_size + facet_size * std::size_t(load<std::uint32_t>(bytes.substr(80, 4), false));
+}
+
+Polygon_soup read_binary(std::string_view bytes)
+{
+  if(bytes.size() < header_size || bytes.size() < size_of_binary_file(bytes))
+    throw Failure(Exit_code::UNREADABLE, "the file ends before its last facet");
+
+  Polygon_soup soup;
+  Point_merger merger(soup);
+  for(std::size_t facet = header_size; facet < size_of_binary_file(bytes); facet += facet_size)
+  {
+    const auto coordinate = [&](std::size_t i) // the first three are the normal
+    { return double(load<float>(bytes.substr(facet + 4 * i, 4), false)); };
+    for(std::size_t i = 3; i < 12; i += 3)
+      merger.add_corner(coordinate(i), coordinate(i + 1), coordinate(i + 2));
+    soup.close_polygon();
+  }
+  return soup;
+}
+
+Polygon_soup read_text(std::string_view text)
+{
+  Text_scanner scanner(text);
+  Polygon_soup soup;
+  Point_merger merger(soup);
+  bool is_in_solid = false;
+  for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
+  {
+    if(word == "vertex")
+    {
+      const double x = scanner.number();
+      const double y = scanner.number();
+      const double z = scanner.number();
+      merger.add_corner(x, y, z);
+    }
+    else if(word == "endfacet")
+      soup.close_polygon();
+    else if(word == "solid" || word == "endsolid")
+    {
+      is_in_solid = word == "solid";
+      scanner.skip_line(); // its name
+    }
+    else if(word == "facet")
+      for(int i = 0; i < 4; ++i) // the word "normal" and its coordinates
+        scanner.word();
+    else if(word != "outer" && word != "loop" && word != "endloop")
+      scanner.fail("a word of the STL format", word);
+  }
+  if(is_in_solid || soup.corners.size() != soup.first_corner(soup.number_of_polygons()))
+    scanner.fail("endsolid", {});
+  return soup;
+}
+
+} // namespace
+
+Polygon_soup read_stl(std::string_view bytes)
+{
+  // The header of a binary file may start with any word, so its size decides.
+  const bool is_binary = bytes.size() >= header_size && bytes.size() == size_of_binary_file(bytes);
+  const bool is_text = !is_binary && Text_scanner(bytes).word() == "solid";
+  return is_text ? read_text(bytes) : read_binary(bytes);
+}

@@ -1,0 +1,220 @@
+#include "run_unwrap.h"
+
+#include "Progress_bar.h"
+#include "interruption.h"
+#include "make_layout.h"
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh_cutting/unwrap.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#endif
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_cutting;
+using SMC::Status_code;
+using Result = SMC::Unwrap_result<Mesh>;
+
+// Shows the progress, and stops the run on Ctrl-C and at the time limit.
+class Visitor : public SMC::Default_visitor
+{
+public:
+  explicit Visitor(const Options& options)
+    : m_bar(!options.is_quiet), m_time_limit(options.time_limit)
+  {
+    m_timer.start();
+  }
+
+  bool go_further() const
+  {
+    return !is_interrupted() && !(m_time_limit && m_timer.time() > *m_time_limit);
+  }
+
+  void progress(SMC::Phase phase, double fraction) { m_bar.show(name_of(phase), fraction); }
+
+private:
+  static const char* name_of(SMC::Phase phase)
+  {
+    switch(phase)
+    {
+      case SMC::Phase::CANDIDATES: return "finding candidates";
+      case SMC::Phase::FILTER: return "filtering";
+      case SMC::Phase::CONNECT: return "connecting";
+      case SMC::Phase::REFINE: return "refining";
+      case SMC::Phase::PARAMETERIZE: return "flattening";
+    }
+    return "";
+  }
+
+  Progress_bar m_bar;
+  CGAL::Real_timer m_timer;
+  std::optional<double> m_time_limit;
+};
+
+// Vertex i and face i of the mesh are point i and polygon i of the soup.
+Mesh make_mesh(const Polygon_soup& soup)
+{
+  Mesh mesh;
+  mesh.reserve(Mesh::size_type(soup.points.size()),
+               Mesh::size_type(soup.points.size() + soup.polygon_ends.size()),
+               Mesh::size_type(soup.polygon_ends.size()));
+  for(const Polygon_soup::Point& point : soup.points)
+    mesh.add_vertex(Kernel::Point_3(point[0], point[1], point[2]));
+
+  std::vector<std::array<Vertex, 3> > faces;
+  faces.reserve(soup.polygon_ends.size());
+  for(int f = 0; f < soup.number_of_polygons(); ++f)
+    faces.push_back({{Vertex(Mesh::size_type(soup.corner(f, 0))),
+                      Vertex(Mesh::size_type(soup.corner(f, 1))),
+                      Vertex(Mesh::size_type(soup.corner(f, 2)))}});
+  CGAL::Euler::add_faces(faces, mesh);
+  for(const Halfedge h : mesh.halfedges())
+    if(mesh.is_border(h))
+      mesh.set_halfedge(mesh.target(h), h); // by which Surface_mesh knows its border vertices
+  return mesh;
+}
+
+Exit_code exit_code_of(Status_code code)
+{
+  switch(code)
+  {
+    case Status_code::OK: return Exit_code::DONE;
+    case Status_code::WRONG_PARAMETER: return Exit_code::USAGE;
+    case Status_code::EMPTY_MESH:
+    case Status_code::NOT_TRIANGULATED:
+    case Status_code::NON_MANIFOLD:
+    case Status_code::INCONSISTENT_ORIENTATION:
+    case Status_code::INVALID_POINT:
+    case Status_code::UNSUPPORTED_TOPOLOGY:
+    case Status_code::INFEASIBLE_CONSTRAINTS: return Exit_code::UNSUPPORTED;
+    case Status_code::NOT_CUT_TO_DISKS:
+    case Status_code::NUMERICAL_FAILURE:
+    case Status_code::NOT_CERTIFIED: return Exit_code::FAILED;
+    case Status_code::STOPPED: return Exit_code::STOPPED;
+    case Status_code::BOUND_NOT_REACHED: return Exit_code::BOUND_NOT_REACHED;
+  }
+  return Exit_code::FAILED;
+}
+
+Witness witness_of(const SMC::Finding<Mesh>& finding, const Mesh& mesh)
+{
+  Witness witness;
+  for(const Vertex v : finding.vertices)
+    witness.indices.push_back(int(v));
+  for(const Face f : finding.faces)
+    witness.indices.push_back(int(f));
+  for(const Edge e : finding.edges)
+    for(const int i : {0, 1})
+      witness.indices.push_back(int(mesh.vertex(e, unsigned(i))));
+  witness.kind = !finding.vertices.empty() ? Witness::Kind::VERTICES
+               : !finding.faces.empty() ? Witness::Kind::FACES
+               : !finding.edges.empty() ? Witness::Kind::EDGES : Witness::Kind::NONE;
+  return witness;
+}
+
+Phase_seconds phase_seconds(const SMC::Phase_times& times)
+{
+  return {times.candidates, times.filter, times.connect, times.refine, times.parameterize,
+          times.total};
+}
+
+std::string summary(const Outcome& outcome)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << *outcome.faces << " triangles, cut of " << *outcome.cut_length
+       << " bounding box diagonals through " << *outcome.features << " points, mean energy "
+       << *outcome.average_energy << " (4: no distortion), " << *outcome.seconds.total << " s";
+  return text.str();
+}
+
+void tell(const Result& result, const Mesh& mesh, Outcome& outcome)
+{
+  outcome.exit_code = exit_code_of(result.status.code);
+  outcome.message = result.status.message;
+  outcome.witness = witness_of(result.status, mesh);
+  for(const SMC::Finding<Mesh>& warning : result.status.warnings)
+    outcome.warnings.push_back(warning.message);
+  outcome.has_result = result.status.code == Status_code::OK
+                       || result.status.code == Status_code::BOUND_NOT_REACHED;
+
+  outcome.components = result.components;
+  outcome.genus = result.genus;
+  outcome.borders = result.borders;
+  outcome.seconds = phase_seconds(result.seconds);
+  outcome.cpu_seconds = phase_seconds(result.cpu_seconds);
+  if(!outcome.has_result)
+    return;
+  outcome.candidates = result.candidates;
+  outcome.features = result.features;
+  outcome.auxiliary = result.auxiliary;
+  outcome.cut_length = result.cut_length / result.bounding_box_diagonal;
+  if(result.cut_lower_bound)
+    outcome.cut_lower_bound = *result.cut_lower_bound / result.bounding_box_diagonal;
+  outcome.is_optimal = result.optimal;
+  outcome.average_energy = result.E_iso;
+  outcome.maximum_energy = result.E_max;
+  outcome.flips = result.flips;
+  outcome.overlaps = result.overlaps;
+  if(outcome.message.empty())
+    outcome.message = summary(outcome);
+}
+
+template <typename ConcurrencyTag>
+Result run_library(const Mesh& mesh, const Options& options, Cut_map is_cut, UV_map uvs)
+{
+  Visitor visitor(options);
+  return SMC::unwrap<ConcurrencyTag>(
+    mesh, is_cut, uvs,
+    CGAL::parameters::visitor(std::ref(visitor)).random_seed(options.seed));
+}
+
+Result run_library(const Mesh& mesh, const Options& options, Cut_map is_cut, UV_map uvs)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    std::size_t(options.threads));
+  if(options.threads > 1)
+    return run_library<CGAL::Parallel_tag>(mesh, options, is_cut, uvs);
+#endif
+  return run_library<CGAL::Sequential_tag>(mesh, options, is_cut, uvs);
+}
+
+} // namespace
+
+std::vector<std::string> available_solvers() { return {"eigen"}; }
+
+int available_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return tbb::info::default_concurrency();
+#else
+  return 1;
+#endif
+}
+
+Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& outcome)
+{
+  Mesh mesh = make_mesh(soup);
+  const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
+  const UV_map uvs = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
+  const Result result = run_library(mesh, options, is_cut, uvs);
+  tell(result, mesh, outcome);
+  if(!outcome.has_result)
+    return {};
+
+  Layout layout = make_layout(mesh, is_cut, uvs, soup);
+  for(const Vertex v : result.feature_points)
+    layout.feature_points.push_back(int(v));
+  std::sort(layout.feature_points.begin(), layout.feature_points.end());
+  layout.bounding_box_diagonal = result.bounding_box_diagonal;
+  return layout;
+}

@@ -1,0 +1,198 @@
+#include "svg_writer.h"
+
+#include "Number_writer.h"
+#include "distortion_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+constexpr double longer_side = 1000, margin = 24, legend_height = 90; // of the picture
+constexpr double pixels_per_unit = 1.6;
+constexpr std::size_t maximum_number_of_drawn_triangles = 10000;
+
+// From the plane of the layout to the picture.
+class View
+{
+public:
+  explicit View(const Layout& layout)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point high = {{-infinity, -infinity}};
+    m_low = {{infinity, infinity}};
+    for(const Point& uv : layout.uv_points)
+      for(std::size_t i = 0; i < 2; ++i)
+      {
+        m_low[i] = (std::min)(m_low[i], uv[i]);
+        high[i] = (std::max)(high[i], uv[i]);
+      }
+    const double extent = (std::max)(high[0] - m_low[0], high[1] - m_low[1]);
+    m_scale = extent > 0 ? longer_side / extent : 1;
+    m_size = {{(high[0] - m_low[0]) * m_scale, (high[1] - m_low[1]) * m_scale}};
+  }
+
+  const Point& low() const { return m_low; }
+  double scale() const { return m_scale; }
+  double width() const { return m_size[0]; }
+  double height() const { return m_size[1]; }
+
+  Point operator()(const Point& uv) const
+  {
+    return {{margin + (uv[0] - m_low[0]) * m_scale,
+             margin + m_size[1] - (uv[1] - m_low[1]) * m_scale}};
+  }
+
+private:
+  Point m_low, m_size;
+  double m_scale;
+};
+
+std::string to_base64(const std::string& bytes)
+{
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    unsigned int group = 0; // of three bytes
+    for(std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for(std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+void draw_triangles(const Layout& layout, const View& view, Number_writer& out)
+{
+  const int width = (std::max)(1, int(std::ceil(view.width() * pixels_per_unit)));
+  const int height = (std::max)(1, int(std::ceil(view.height() * pixels_per_unit)));
+  const Image image = draw_distortion(layout, view.low(), 1 / (view.scale() * pixels_per_unit),
+                                      width, height);
+  out << "<image x=\"" << Coarse{margin} << "\" y=\""
+      << Coarse{margin + view.height() - height / pixels_per_unit}
+      << "\" width=\"" << Coarse{width / pixels_per_unit}
+      << "\" height=\"" << Coarse{height / pixels_per_unit}
+      << "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64,"
+      << to_base64(image.to_png()) << "\"/>\n";
+}
+
+void draw_line(const Point& from, const Point& to, Number_writer& out)
+{
+  out << "M" << Coarse{from[0]} << " " << Coarse{from[1]}
+      << "L" << Coarse{to[0]} << " " << Coarse{to[1]};
+}
+
+// The edges of the triangles, where there are few enough to be seen.
+void draw_edges(const Layout& layout, const View& view, Number_writer& out)
+{
+  if(layout.uv_triangles.size() > maximum_number_of_drawn_triangles)
+    return;
+  out << "<path fill=\"none\" stroke=\"#000\" stroke-opacity=\".25\" stroke-width=\".4\" d=\"";
+  for(const Layout::Triangle& triangle : layout.uv_triangles)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const int a = triangle[k], b = triangle[(k + 1) % 3];
+      if(a < b) // once per inner edge; those of the border are drawn anyway
+        draw_line(view(layout.uv_points[std::size_t(a)]), view(layout.uv_points[std::size_t(b)]),
+                  out);
+    }
+  out << "\"/>\n";
+}
+
+void draw_borders(const Layout& layout, const View& view, Number_writer& out)
+{
+  out << "<path fill=\"none\" stroke=\"#123\" stroke-width=\"1.6\" stroke-linecap=\"round\" d=\"";
+  for(const Layout::Edge& edge : layout.chart_borders)
+    draw_line(view(layout.uv_points[std::size_t(edge[0])]),
+              view(layout.uv_points[std::size_t(edge[1])]), out);
+  out << "\"/>\n";
+}
+
+// All copies that the cut makes of the feature points.
+void draw_feature_points(const Layout& layout, const View& view, Number_writer& out)
+{
+  std::vector<int> uv_vertices;
+  for(std::size_t f = 0; f < layout.triangles.size(); ++f)
+    for(std::size_t k = 0; k < 3; ++k)
+      if(std::binary_search(layout.feature_points.begin(), layout.feature_points.end(),
+                            layout.triangles[f][k]))
+        uv_vertices.push_back(layout.uv_triangles[f][k]);
+  std::sort(uv_vertices.begin(), uv_vertices.end());
+  uv_vertices.erase(std::unique(uv_vertices.begin(), uv_vertices.end()), uv_vertices.end());
+
+  out << "<g fill=\"#fff\" stroke=\"#07c\" stroke-width=\"2.5\">\n";
+  for(const int uv_vertex : uv_vertices)
+  {
+    const Point center = view(layout.uv_points[std::size_t(uv_vertex)]);
+    out << "<circle r=\"5\" cx=\"" << Coarse{center[0]} << "\" cy=\"" << Coarse{center[1]}
+        << "\"/>\n";
+  }
+  out << "</g>\n";
+}
+
+void write_text(double x, double y, const char* anchor, std::string_view text, Number_writer& out)
+{
+  out << "<text x=\"" << Coarse{x} << "\" y=\"" << Coarse{y} << "\" text-anchor=\"" << anchor
+      << "\">" << text << "</text>\n";
+}
+
+std::string caption(const Outcome& outcome)
+{
+  std::ostringstream text;
+  text.precision(4);
+  if(outcome.average_energy)
+    text << "Mean " << *outcome.average_energy;
+  if(outcome.maximum_energy)
+    text << ", largest " << *outcome.maximum_energy;
+  if(outcome.cut_length)
+    text << "; length of the cut over bounding box diagonal " << *outcome.cut_length;
+  return text.str();
+}
+
+void draw_legend(const Outcome& outcome, double top, double width, Number_writer& out)
+{
+  out << "<defs><linearGradient id=\"scale\">";
+  for(std::size_t i = 0; i < distortion_colors.size(); ++i)
+  {
+    const Image::Color& color = distortion_colors[i];
+    out << "<stop offset=\"" << Coarse{100. * double(i) / (distortion_colors.size() - 1)}
+        << "%\" stop-color=\"rgb(" << int(color[0]) << "," << int(color[1]) << "," << int(color[2])
+        << ")\"/>";
+  }
+  out << "</linearGradient></defs>\n<rect x=\"" << Coarse{margin} << "\" y=\"" << Coarse{top + 26}
+      << "\" width=\"" << Coarse{width} << "\" height=\"14\" fill=\"url(#scale)\" "
+         "stroke=\"#999\" stroke-width=\".5\"/>\n"
+         "<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n";
+  write_text(margin, top + 16, "start",
+             "Symmetric Dirichlet energy per triangle (4: no distortion)", out);
+  for(const char* const label : {"4", "4.1", "4.5", "5", "6", "8", "12", "20"})
+    write_text(margin + position_on_scale(std::stod(label)) * width, top + 55, "middle", label, out);
+  write_text(margin, top + 78, "start", caption(outcome), out);
+  out << "</g>\n";
+}
+
+} // namespace
+
+std::string to_svg(const Layout& layout, const Outcome& outcome)
+{
+  const View view(layout);
+  const double legend_width = 480;
+  const double width = 2 * margin + (std::max)(view.width(), legend_width);
+  const double legend_top = 2 * margin + view.height();
+  Number_writer out;
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << Coarse{width} << " "
+      << Coarse{legend_top + legend_height} << "\">\n"
+         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+  draw_triangles(layout, view, out);
+  draw_edges(layout, view, out);
+  draw_borders(layout, view, out);
+  draw_feature_points(layout, view, out);
+  draw_legend(outcome, legend_top, legend_width, out);
+  out << "</svg>\n";
+  return out.text();
+}

@@ -1,0 +1,13 @@
+#ifndef UNWRAP_SVG_WRITER_H
+#define UNWRAP_SVG_WRITER_H
+
+#include "Layout.h"
+#include "outcome.h"
+
+#include <string>
+
+// A picture of the layout: triangles colored by distortion, chart borders, feature points.
+// The triangles come as an image, so that the size of the file is bounded for any mesh.
+std::string to_svg(const Layout& layout, const Outcome& outcome);
+
+#endif // UNWRAP_SVG_WRITER_H

@@ -1,0 +1,199 @@
+"""What the tests of the program unwrap share: running it, and meshes in all formats.
+
+Every test file is called with the program and a folder of meshes as arguments."""
+
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.path.abspath(sys.argv[1])
+MESH_DIR = Path(os.environ.get("SURFACE_MESH_CUTTING_MESH_DIR", sys.argv[2]))
+TIME_LIMIT = 60  # seconds, of any run
+
+PHASES = ["candidates", "filter", "connect", "refine", "parameterize", "total"]
+KEYS = ["status", "message", "warnings", "witness", "vertices", "faces", "components", "genus",
+        "borders", "candidates", "features", "auxiliary", "cut_length", "cut_lower_bound",
+        "optimal", "E_iso", "E_max", "flips", "overlaps", "seconds", "cpu_seconds", "threads",
+        "seed", "effort", "solver", "peak_memory_mb"]
+STATUS = {0: "done", 2: "usage", 3: "unreadable", 4: "unsupported", 5: "failed", 6: "stopped",
+          7: "bound_not_reached"}
+
+
+def main():
+    del sys.argv[1:3]
+    unittest.main(verbosity=2)
+
+
+class Case(unittest.TestCase):
+    """A test in an empty folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, name, content):
+        data = content if isinstance(content, bytes) else content.encode()
+        (self.folder / name).write_bytes(data)
+        return name
+
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def unwrap(self, *arguments):
+        """Runs the program and returns what `subprocess.run` does."""
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder,
+                              stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT)
+
+    def report(self, *arguments):
+        """Runs the program with a report on its standard output, which is checked."""
+        run = self.unwrap(*arguments, "--json", "-")
+        self.assertIn(run.returncode, STATUS, run.stderr)
+        report = json.loads(run.stdout, parse_constant=self.fail)  # no NaN, no Infinity
+        self.assertEqual(list(report), KEYS)
+        self.assertEqual(list(report["seconds"]), PHASES)
+        self.assertEqual(list(report["cpu_seconds"]), PHASES)
+        self.assertEqual(report["status"], STATUS[run.returncode])
+        self.assertIsInstance(report["message"], str)
+        self.assertIsInstance(report["warnings"], list)
+        if run.returncode not in (0, 7):
+            self.assertIn(report["message"], run.stderr.decode())
+        return run.returncode, report
+
+    def assert_refused(self, code, *arguments):
+        """The program fails with `code`, says why in a line, and writes nothing."""
+        before = self.files()
+        exit_code, report = self.report(*arguments)
+        self.assertEqual(exit_code, code, report["message"])
+        self.assertNotEqual(report["message"], "")
+        self.assertNotIn("\n", report["message"])
+        self.assertEqual(self.files(), before)
+        return report
+
+
+# ------------------------------------------------------------------------------------------ meshes
+
+def octahedron():
+    points = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+    return points, faces
+
+
+def sphere(levels):
+    """An octahedron whose faces are split `levels` times and whose points are moved outward."""
+    points, faces = octahedron()
+    for _ in range(levels):
+        middles = {}
+
+        def middle(a, b):
+            key = (min(a, b), max(a, b))
+            if key not in middles:
+                point = [(s + t) / 2 for s, t in zip(points[a], points[b])]
+                length = sum(x * x for x in point) ** 0.5
+                points.append(tuple(x / length for x in point))
+                middles[key] = len(points) - 1
+            return middles[key]
+
+        split = []
+        for a, b, c in faces:
+            ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+            split += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+        faces = split
+    # Single precision, so that binary formats hold the same points; no two axes alike.
+    single = struct.Struct("<3f")
+    return [single.unpack(single.pack(x, 1.25 * y, 1.5 * z)) for x, y, z in points], faces
+
+
+def torus(n=6):
+    """The points of an n x n grid; nothing is done to make it look like a torus."""
+    points = [(i, j, (i * j) % 3) for i in range(n) for j in range(n)]
+    faces = []
+    for i in range(n):
+        for j in range(n):
+            a, b = n * i + j, n * ((i + 1) % n) + j
+            c, d = n * ((i + 1) % n) + (j + 1) % n, n * i + (j + 1) % n
+            faces += [(a, b, c), (a, c, d)]
+    return points, faces
+
+
+def without_face(mesh):
+    return mesh[0], mesh[1][1:]
+
+
+def joined(mesh, other):
+    shift = len(mesh[0])
+    moved = [(x + 10, y, z) for x, y, z in other[0]]
+    return mesh[0] + moved, mesh[1] + [tuple(v + shift for v in face) for face in other[1]]
+
+
+# ----------------------------------------------------------------------------------------- formats
+
+def to_off(mesh):
+    points, faces = mesh
+    lines = ["OFF", f"{len(points)} {len(faces)} 0"]
+    lines += [" ".join(map(repr, point)) for point in points]
+    lines += [" ".join(map(str, (len(face), *face))) for face in faces]
+    return "\n".join(lines) + "\n"
+
+
+def to_obj(mesh):
+    points, faces = mesh
+    lines = ["v " + " ".join(map(repr, point)) for point in points]
+    lines += ["f " + " ".join(str(v + 1) for v in face) for face in faces]
+    return "\n".join(lines) + "\n"
+
+
+def ply_header(form, points, faces):
+    return (f"ply\nformat {form} 1.0\ncomment made by a test\nelement vertex {points}\n"
+            "property float x\nproperty float y\nproperty float z\n"
+            f"element face {faces}\nproperty list uchar int vertex_indices\nend_header\n")
+
+
+def to_ply(mesh, form):
+    points, faces = mesh
+    header = ply_header(form, len(points), len(faces)).encode()
+    if form == "ascii":
+        lines = [" ".join(map(repr, point)) for point in points]
+        lines += [" ".join(map(str, (len(face), *face))) for face in faces]
+        return header + ("\n".join(lines) + "\n").encode()
+    order = "<" if form == "binary_little_endian" else ">"
+    body = b"".join(struct.pack(order + "3f", *point) for point in points)
+    body += b"".join(struct.pack(f"{order}B{len(face)}i", len(face), *face) for face in faces)
+    return header + body
+
+
+def to_text_stl(mesh):
+    points, faces = mesh
+    lines = ["solid made by a test"]
+    for face in faces:
+        lines += ["facet normal 0 0 0", "outer loop"]
+        lines += ["vertex " + " ".join(map(repr, points[v])) for v in face]
+        lines += ["endloop", "endfacet"]
+    return "\n".join(lines + ["endsolid made by a test"]) + "\n"
+
+
+def to_binary_stl(mesh):
+    points, faces = mesh
+    data = b"solid, but binary".ljust(80) + struct.pack("<I", len(faces))
+    for face in faces:
+        data += struct.pack("<12fH", 0, 0, 0, *(x for v in face for x in points[v]), 0)
+    return data
+
+
+def read_obj(path):
+    """Points, texture points, and faces as lists of (point, texture point), counted from 0."""
+    points, texture_points, faces = [], [], []
+    for line in path.read_text().splitlines():
+        words = line.split()
+        if words[0] == "v":
+            points.append(tuple(map(float, words[1:])))
+        elif words[0] == "vt":
+            texture_points.append(tuple(map(float, words[1:])))
+        elif words[0] == "f":
+            faces.append([tuple(int(i) - 1 for i in word.split("/")) for word in words[1:]])
+    return points, texture_points, faces

@@ -1,0 +1,45 @@
+"""Small files with random damage: any answer but a crash or a hang will do."""
+
+import random
+
+from support import (Case, main, sphere, to_binary_stl, to_obj, to_off, to_ply, to_text_stl)
+
+SEED = 20260101
+MUTATIONS_PER_FILE = 60
+SPHERE = sphere(1)
+FILES = {"a.off": to_off(SPHERE).encode(), "a.obj": to_obj(SPHERE).encode(),
+         "a.ply": to_ply(SPHERE, "ascii"), "b.ply": to_ply(SPHERE, "binary_little_endian"),
+         "a.stl": to_text_stl(SPHERE).encode(), "b.stl": to_binary_stl(SPHERE)}
+
+
+def mutate(data, generator):
+    data = bytearray(data)
+    for _ in range(generator.choice((1, 1, 2, 5))):
+        place = generator.randrange(len(data))
+        kind = generator.randrange(4)
+        if kind == 0:
+            data[place] = generator.randrange(256)
+        elif kind == 1:
+            data[place] = generator.choice(b"0123456789-.e \n")
+        elif kind == 2:
+            del data[place:place + generator.choice((1, 2, 20))]
+        else:
+            data[place:place] = data[place:place + generator.choice((1, 4, 50))]
+    return bytes(data)
+
+
+class Mutations(Case):
+    def test_mutations(self):
+        print(f"seed {SEED}")
+        generator = random.Random(SEED)
+        for name, data in FILES.items():
+            for number in range(MUTATIONS_PER_FILE):
+                with self.subTest(name=name, number=number):
+                    self.write(name, mutate(data, generator))
+                    exit_code, report = self.report(name, "-o", "out.obj", "--threads", "1")
+                    self.assertIn(exit_code, (0, 3, 4, 5), report["message"])
+                    self.assertEqual("out.obj" in self.files(), exit_code == 0)
+                    (self.folder / "out.obj").unlink(missing_ok=True)
+
+
+main()

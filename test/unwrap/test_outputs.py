@@ -1,0 +1,162 @@
+"""The files that the program writes: complete, exact, and the same every time."""
+
+import base64
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import time
+import xml.etree.ElementTree
+
+from support import Case, PROGRAM, TIME_LIMIT, main, read_obj, sphere, to_off
+
+SPHERE = sphere(3)
+ALL_OUTPUTS = ["--svg", "a.svg", "--texture", "a.png", "--obj-cut", "cut.obj"]
+
+
+def energy(points, uvs):
+    """Area and symmetric Dirichlet energy of a triangle."""
+    a, b = ([t - s for s, t in zip(points[0], points[k])] for k in (1, 2))
+    u, v = ([t - s for s, t in zip(uvs[0], uvs[k])] for k in (1, 2))
+    dot = lambda s, t: sum(x * y for x, y in zip(s, t))
+    area = math.sqrt(dot(a, a) * dot(b, b) - dot(a, b) ** 2)
+    uv_area = u[0] * v[1] - u[1] * v[0]
+    norm = (dot(u, u) * dot(b, b) - 2 * dot(u, v) * dot(a, b) + dot(v, v) * dot(a, a)) / area ** 2
+    return area, norm * (1 + (area / uv_area) ** 2), uv_area
+
+
+class Outputs(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("sphere.off", to_off(SPHERE))
+
+    def successful_report(self, *arguments):
+        exit_code, report = self.report("sphere.off", *arguments)
+        self.assertEqual(exit_code, 0, report["message"])
+        return report
+
+    def test_report(self):
+        report = self.successful_report("--seed", "7", "--threads", "1")
+        self.assertEqual(self.files(), ["sphere.off", "sphere.uv.obj"])
+        for key, value in {"vertices": len(SPHERE[0]), "faces": len(SPHERE[1]), "components": 1,
+                           "genus": 0, "borders": 0, "flips": 0, "overlaps": None, "witness": None,
+                           "seed": 7, "threads": 1, "effort": "default"}.items():
+            self.assertEqual(report[key], value, key)
+        for key in ("cut_length", "E_iso", "E_max", "peak_memory_mb"):
+            self.assertGreater(report[key], 0, key)
+        self.assertGreater(report["seconds"]["total"], 0)
+
+    def test_report_in_file(self):
+        run = self.unwrap("sphere.off", "--json", "report.json")
+        self.assertEqual((run.returncode, run.stdout), (0, b""))
+        self.assertEqual(json.loads((self.folder / "report.json").read_text())["status"], "done")
+
+    def test_texture_coordinates_follow_the_cut(self):
+        report = self.successful_report(*ALL_OUTPUTS)
+        points, uvs, faces = read_obj(self.folder / "sphere.uv.obj")
+        cut_text = (self.folder / "cut.obj").read_text()
+        cut_points = [tuple(map(float, line.split()[1:])) for line in cut_text.splitlines()
+                      if line.startswith("v ")]
+        vertex = {point: v for v, point in enumerate(points)}
+        cut = {frozenset(vertex[cut_points[int(i) - 1]] for i in line.split()[1:])
+               for line in cut_text.splitlines() if line.startswith("l ")}
+
+        sides = {}
+        for face in faces:
+            for k in range(3):
+                (a, uv_a), (b, uv_b) = face[k], face[(k + 1) % 3]
+                sides.setdefault(frozenset((a, b)), []).append({a: uv_a, b: uv_b})
+        for edge, (one, other) in sides.items():
+            self.assertEqual(one != other, edge in cut)
+        # A sphere that is cut to a disk along a tree.
+        self.assertEqual(len(uvs), len(points) + len(cut) - 1)
+        self.assertEqual({uv for face in faces for _, uv in face}, set(range(len(uvs))))
+        diagonal = math.dist(*([f(p[i] for p in points) for i in range(3)] for f in (min, max)))
+        length = sum(math.dist(*(points[v] for v in edge)) for edge in cut)
+        self.assertAlmostEqual(report["cut_length"], length / diagonal, places=9)
+
+    def test_measures_are_those_of_the_file(self):
+        report = self.successful_report()
+        points, uvs, faces = read_obj(self.folder / "sphere.uv.obj")
+        measures = [energy([points[v] for v, _ in face], [uvs[uv] for _, uv in face])
+                    for face in faces]
+        self.assertGreater(min(uv_area for _, _, uv_area in measures), 0)
+        mean = sum(a * e for a, e, _ in measures) / sum(a for a, _, _ in measures)
+        self.assertAlmostEqual(report["E_iso"] / mean, 1, places=9)
+        self.assertAlmostEqual(report["E_max"] / max(e for _, e, _ in measures), 1, places=9)
+
+    def test_pictures(self):
+        self.successful_report(*ALL_OUTPUTS)
+        self.assertEqual(self.files(), ["a.png", "a.svg", "cut.obj", "sphere.off", "sphere.uv.mtl",
+                                        "sphere.uv.obj"])
+        text = (self.folder / "a.svg").read_text()
+        self.assertTrue(xml.etree.ElementTree.fromstring(text).tag.endswith("svg"))
+        image = re.search('base64,([^"]*)"', text).group(1)
+        for data in (base64.b64decode(image, validate=True), (self.folder / "a.png").read_bytes()):
+            self.assertTrue(data.startswith(b"\x89PNG\r\n\x1a\n") and b"IEND" in data)
+        self.assertIn("mtllib sphere.uv.mtl\n", (self.folder / "sphere.uv.obj").read_text())
+        self.assertRegex((self.folder / "sphere.uv.mtl").read_text(), "map_Kd .* a.png\n")
+
+    def test_texture_in_other_folder(self):
+        for folder in ("meshes", "images"):
+            os.mkdir(self.folder / folder)
+        self.successful_report("-o", "meshes/a.obj", "--texture", "images/a.png")
+        self.assertIn("../images/a.png\n", (self.folder / "meshes" / "a.mtl").read_text())
+
+    def test_same_bytes_every_time(self):
+        def run(*arguments):
+            report = self.successful_report(*ALL_OUTPUTS, *arguments)
+            for key in ("seconds", "cpu_seconds", "peak_memory_mb", "threads", "message"):
+                del report[key]
+            return report, [(self.folder / name).read_bytes() for name in self.files()]
+        first = run("--threads", "2")
+        self.assertEqual(first, run("--threads", "2"))
+        self.assertEqual(first, run("--threads", "1"))
+
+    def test_quiet(self):
+        run = self.unwrap("sphere.off", "--quiet")
+        self.assertEqual((run.returncode, run.stdout, run.stderr), (0, b"", b""))
+        self.assertIn(b"missing.off", self.unwrap("missing.off", "--quiet").stderr)
+
+    def test_no_progress_unless_on_a_terminal(self):
+        run = self.unwrap("sphere.off")
+        self.assertEqual((run.returncode, run.stdout), (0, b""))
+        self.assertNotIn(b"\r", run.stderr)
+
+    def test_existing_files_are_replaced(self):
+        self.write("sphere.uv.obj", "old")
+        self.successful_report()
+        self.assertEqual(len(read_obj(self.folder / "sphere.uv.obj")[2]), len(SPHERE[1]))
+
+    def test_links_and_devices_stay(self):
+        os.symlink("target.obj", self.folder / "link.obj")
+        self.successful_report("-o", "link.obj", "--svg", "/dev/null")
+        self.assertTrue((self.folder / "link.obj").is_symlink())
+        self.assertTrue((self.folder / "target.obj").is_file())
+        self.assertFalse(os.path.isfile("/dev/null"))
+
+    def test_failure_leaves_old_files_alone(self):
+        self.write("sphere.off", "OFF\n")
+        self.write("sphere.uv.obj", "old")
+        self.assert_refused(3, "sphere.off", *ALL_OUTPUTS)
+        self.assertEqual((self.folder / "sphere.uv.obj").read_text(), "old")
+
+    def test_time_limit(self):
+        exit_code, report = self.report("sphere.off", "--time-limit", "0")
+        self.assertEqual(exit_code, 6)
+
+    def test_interruption(self):
+        self.write("large.off", to_off(sphere(6)))
+        program = subprocess.Popen([PROGRAM, "large.off", "--quiet"], cwd=self.folder,
+                                   stderr=subprocess.PIPE)
+        time.sleep(0.3)
+        program.send_signal(signal.SIGINT)
+        program.communicate(timeout=TIME_LIMIT)
+        self.assertIn(program.returncode, (0, 6))  # it may have been fast enough
+        if program.returncode == 6:
+            self.assertNotIn("large.uv.obj", self.files())
+
+
+main()

@@ -1,0 +1,195 @@
+"""Reading: the same mesh from every format, and every kind of damage with its exit status."""
+
+import struct
+
+from support import (Case, joined, main, octahedron, ply_header, read_obj, sphere, to_binary_stl,
+                     to_obj, to_off, to_ply, to_text_stl, torus, without_face)
+
+SPHERE = sphere(1)
+OFF_POINTS = "".join(line + "\n" for line in to_off(SPHERE).splitlines()[2:20])
+
+# OBJ as others write it: everything that is not a point or a face is to be passed over.
+DECORATED_OBJ = "\r\n".join(
+    ["# a comment", "mtllib some.mtl", "o object", "", "vt 0 0", "vn 0 0 1", "g group name"]
+    + ["v " + " ".join(map(repr, point)) + " 1.0 0.5 0.5 # colored" for point in SPHERE[0]]
+    + ["s off", "usemtl red", "l 1 2", "p 3"]
+    + [f"f {a + 1}/1/1\t{b - len(SPHERE[0])}//1 \\\r\n  {c + 1}/1 # end" for a, b, c in SPHERE[1]]
+) + "\r\n"
+
+READABLE = {
+    "sphere.off": to_off(SPHERE),
+    "SPHERE.OFF": to_off(SPHERE).replace("\n", " # comment\r\n\r\n"),
+    "colors.off": to_off(SPHERE).replace("OFF", "COFF", 1),
+    "sphere.obj": to_obj(SPHERE),
+    "decorated.obj": DECORATED_OBJ,
+    "text.ply": to_ply(SPHERE, "ascii"),
+    "little.ply": to_ply(SPHERE, "binary_little_endian"),
+    "big.PLY": to_ply(SPHERE, "binary_big_endian"),
+    "off_inside.mesh": to_off(SPHERE),
+    "ply_inside": to_ply(SPHERE, "binary_little_endian"),
+}
+
+UNREADABLE = {
+    "empty.off": "", "empty.obj": "", "empty.ply": "", "empty.stl": "", "empty.mesh": "",
+    "other.off": to_obj(SPHERE), "other.ply": to_off(SPHERE), "other.obj": to_off(SPHERE),
+    "zeros.off": bytes(1000), "zeros.obj": bytes(1000), "zeros.ply": bytes(1000),
+    "text.mesh": "to whom it may concern",
+    "binary.off": b"OFF BINARY\n" + bytes(100),
+    "four.off": to_off(SPHERE).replace("OFF", "4OFF", 1),
+    # indices
+    "range.off": to_off(SPHERE).replace("\n3 0 ", "\n3 18 ", 1),
+    "negative.off": to_off(SPHERE).replace("\n3 0 ", "\n3 -1 ", 1),
+    "huge.off": to_off(SPHERE).replace("\n3 0 ", "\n3 99999999999999999999 ", 1),
+    "range.obj": to_obj(SPHERE).replace("\nf 1 ", "\nf 19 ", 1),
+    "zero.obj": to_obj(SPHERE).replace("\nf 1 ", "\nf 0 ", 1),
+    "negative.obj": to_obj(SPHERE).replace("\nf 1 ", "\nf -19 ", 1),
+    "range.ply": to_ply(SPHERE, "ascii").replace(b"\n3 0 ", b"\n3 18 ", 1),
+    "negative.ply": to_ply(SPHERE, "ascii").replace(b"\n3 0 ", b"\n3 -1 ", 1),
+    # no numbers where there should be some
+    "word.off": to_off(SPHERE).replace("0.0", "zero", 1),
+    "word.obj": to_obj(SPHERE).replace("0.0", "zero", 1),
+    "statement.obj": to_obj(SPHERE).replace("v ", "w ", 1),
+    "short.off": to_off(SPHERE).replace("\n3 0 ", "\n4 0 ", 1),
+    "negative_size.off": to_off(SPHERE).replace("\n3 0 ", "\n-3 0 ", 1),
+    # headers that lie
+    "points.off": "OFF\n2000000000 1 0\n0 0 0\n",
+    "faces.off": "OFF\n18 2000000000 0\n" + OFF_POINTS + "3 0 1 2\n",
+    "corners.off": "OFF\n18 1 0\n" + OFF_POINTS + "2000000000 0 1 2\n",
+    "beyond.off": "OFF\n99999999999 1 0\n",
+    "below.off": "OFF\n-1 1 0\n",
+    "points.ply": ply_header("binary_little_endian", 2000000000, 1).encode() + bytes(100),
+    "faces.ply": ply_header("binary_little_endian", 0, 2000000000).encode() + bytes(100),
+    "text_faces.ply": ply_header("ascii", 0, 2000000000) + "0\n" * 10,
+    "corners.ply": ply_header("binary_little_endian", 0, 1).replace("uchar", "uint").encode()
+                   + b"\xff" * 100,
+    "endless.ply": "ply\nformat ascii 1.0\nelement face 4000000000\nend_header\n",
+    "no_points.ply": to_ply(SPHERE, "ascii").replace(b"property float x\n", b""),
+    "no_faces.ply": to_ply(SPHERE, "ascii").replace(b"vertex_indices", b"something"),
+    "type.ply": to_ply(SPHERE, "ascii").replace(b"float x", b"quaternion x"),
+    "header.ply": "ply\nformat ascii 1.0\nelement vertex 3\n",
+    "strips.ply": "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int "
+                  "vertex_indices\nend_header\n3 0 1 2\n",
+    "facets.stl": bytes(80) + struct.pack("<I", 4000000000) + bytes(100),
+}
+TRUNCATED = ["sphere.off", "text.ply", "little.ply", "big.PLY"]
+
+UNSUPPORTED = {  # with the kind of the witness
+    "no_faces.off": (to_off((SPHERE[0], [])), None),
+    "no_faces.obj": (to_obj((SPHERE[0], [])), None),
+    "no_faces.ply": (to_ply((SPHERE[0], []), "binary_little_endian"), None),
+    "nothing.off": ("OFF\n0 0 0\n", None),
+    "no_faces.stl": (bytes(84), None),
+    "quad.off": (to_off((SPHERE[0], [(0, 1, 2, 3)])), "faces"),
+    "quad.obj": (to_obj((SPHERE[0], [(0, 1, 2, 3)])), "faces"),
+    "segment.off": (to_off((SPHERE[0], [(0, 1)])), "faces"),
+    "nan.off": (to_off(SPHERE).replace("0.0", "nan", 1), "vertices"),
+    "infinite.obj": (to_obj(SPHERE).replace("0.0", "-inf", 1), "vertices"),
+    "too_large.off": (to_off(SPHERE).replace("0.0", "1e999", 1), "vertices"),
+    "repeated.off": (to_off((SPHERE[0], SPHERE[1] + [(0, 1, 1)])), "faces"),
+    "twice.off": (to_off((SPHERE[0], SPHERE[1] + [SPHERE[1][5]])), "faces"),
+    "fin.off": (to_off((SPHERE[0] + [(9, 9, 9)], SPHERE[1] + [(*SPHERE[1][0][:2], 18)])), "edges"),
+    "turned.off": (to_off((SPHERE[0], SPHERE[1][1:] + [SPHERE[1][0][::-1]])), "faces"),
+    "moebius.off": (to_off((SPHERE[0][:5], [(i, (i + 1) % 5, (i + 2) % 5) if i % 2 == 0
+                                            else (i, (i + 2) % 5, (i + 1) % 5)
+                                            for i in range(5)])), "faces"),
+}
+TOUCHING = joined(octahedron(), octahedron())  # to be joined in a vertex
+
+# What the library does not take yet.
+UNSUPPORTED_TOPOLOGY = {
+    "torus.off": to_off(torus()),
+    "open.off": to_off(without_face(SPHERE)),
+    "triangle.off": to_off((SPHERE[0][:3], [(0, 1, 2)])),
+    "two.off": to_off(joined(SPHERE, SPHERE)),
+}
+
+
+class Reading(Case):
+    def assert_same_mesh(self, mesh, name):
+        points, _, faces = read_obj(self.folder / name)
+        self.assertEqual(points, [tuple(map(float, point)) for point in mesh[0]])
+        self.assertEqual([tuple(v for v, _ in face) for face in faces], mesh[1])
+
+    def test_formats(self):
+        results = set()
+        for name, content in READABLE.items():
+            with self.subTest(name=name):
+                self.write(name, content)
+                run = self.unwrap(name, "-o", "out.obj")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assert_same_mesh(SPHERE, "out.obj")
+                results.add((self.folder / "out.obj").read_bytes())
+        self.assertEqual(len(results), 1)
+
+    def test_stl_merges_equal_points(self):
+        merged = []  # in order of appearance
+        for face in SPHERE[1]:
+            merged += [SPHERE[0][v] for v in face if SPHERE[0][v] not in merged]
+        faces = [tuple(merged.index(SPHERE[0][v]) for v in face) for face in SPHERE[1]]
+        for name, content in (("text.stl", to_text_stl(SPHERE)),
+                              ("binary.stl", to_binary_stl(SPHERE))):
+            with self.subTest(name=name):
+                self.assertEqual(self.unwrap(self.write(name, content), "-o", "out.obj").returncode, 0)
+                self.assert_same_mesh((merged, faces), "out.obj")
+
+    def test_isolated_points_are_kept(self):
+        mesh = ([(5, 5, 5)] + SPHERE[0] + [(6, 6, 6)], [tuple(v + 1 for v in f) for f in SPHERE[1]])
+        exit_code, report = self.report(self.write("isolated.obj", to_obj(mesh)))
+        self.assertEqual((exit_code, report["vertices"]), (0, 20), report["message"])
+        self.assert_same_mesh(mesh, "isolated.uv.obj")
+
+    def test_doubles_survive(self):
+        points = [(x / 3, y / 7, z * 1e-3) for x, y, z in SPHERE[0]]
+        self.assertEqual(self.unwrap(self.write("a.off", to_off((points, SPHERE[1])))).returncode, 0)
+        self.assert_same_mesh((points, SPHERE[1]), "a.uv.obj")
+
+    def test_unreadable(self):
+        for name, content in UNREADABLE.items():
+            with self.subTest(name=name):
+                report = self.assert_refused(3, self.write(name, content))
+                self.assertLess(report["peak_memory_mb"], 200)
+        self.assert_refused(3, "missing.off")
+        self.assert_refused(3, ".")
+        self.assert_refused(3, "/dev/null")
+
+    def test_truncated(self):
+        for name in TRUNCATED:
+            content = READABLE[name]
+            content = content if isinstance(content, bytes) else content.encode()
+            for length in range(0, len(content) - 4, 37):
+                with self.subTest(name=name, length=length):
+                    self.assert_refused(3, self.write(name, content[:length]))
+
+    def test_truncated_stl(self):
+        for content in (to_text_stl(SPHERE).encode(), to_binary_stl(SPHERE)):
+            for length in range(0, len(content) - 30, 97):
+                with self.subTest(length=length):
+                    self.assert_refused(3, self.write("cut.stl", content[:length]))
+
+    def test_unsupported(self):
+        for name, (content, kind) in UNSUPPORTED.items():
+            with self.subTest(name=name):
+                report = self.assert_refused(4, self.write(name, content))
+                witness = report["witness"]
+                self.assertEqual(witness and witness["kind"], kind)
+                if witness:
+                    self.assertIn(str(witness["indices"][0]), report["message"])
+
+    def test_touching_vertex(self):
+        faces = [tuple(0 if v == 7 else v for v in face) for face in TOUCHING[1]]
+        report = self.assert_refused(4, self.write("a.off", to_off((TOUCHING[0], faces))))
+        self.assertEqual(report["witness"], {"kind": "vertices", "indices": [0]})
+
+    def test_witnesses(self):
+        report = self.assert_refused(4, self.write("a.off", UNSUPPORTED["twice.off"][0]))
+        self.assertEqual(report["witness"]["indices"], [5, 32])
+        report = self.assert_refused(4, self.write("a.off", UNSUPPORTED["fin.off"][0]))
+        self.assertEqual(sorted(report["witness"]["indices"]), sorted(SPHERE[1][0][:2]))
+
+    def test_unsupported_topology(self):
+        for name, content in UNSUPPORTED_TOPOLOGY.items():
+            with self.subTest(name=name):
+                self.assert_refused(4, self.write(name, content))
+
+
+main()
