@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/mesh_checks.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -126,8 +127,9 @@ public:
     using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
     for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
     {
-      const Eigen::Vector2d& p = uv[chart.target(h)];
-      put(halfedge_uv_map, m_halfedges[h], Point_2(to_original_scale(p.x()), to_original_scale(p.y())));
+      const Eigen::Vector2d p
+        = Surface_mesh_parameterization::internal::scaled(uv[chart.target(h)], m_exponent);
+      put(halfedge_uv_map, m_halfedges[h], Point_2(p.x(), p.y()));
     }
   }
 
@@ -230,24 +232,18 @@ private:
     return Flat_status();
   }
 
-  // Scales by the power of two that brings the extent of the surface into [1, 2).
   void normalize(std::vector<Point>& points, const std::vector<Triangle>& triangles)
   {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Point low = Point::Constant(infinity), high = Point::Constant(-infinity);
+    Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for(const Triangle& t : triangles)
       for(int v : t)
       {
         low = low.cwiseMin(points[v]);
         high = high.cwiseMax(points[v]);
       }
-    // Halves, as the difference of two finite numbers may be infinite.
-    const double half_extent = (0.5 * high - 0.5 * low).maxCoeff();
-    if(half_extent == 0)
-      return;
-    m_exponent = std::ilogb(half_extent) + 1;
+    m_exponent = Surface_mesh_parameterization::internal::scale_exponent(low, high);
     for(Point& p : points)
-      p = p.unaryExpr([this](double x) { return std::ldexp(x, -m_exponent); });
+      p = Surface_mesh_parameterization::internal::scaled(p, -m_exponent);
   }
 
   // ": faces 3, 5 and 1 more"; edges are named by their two vertices.

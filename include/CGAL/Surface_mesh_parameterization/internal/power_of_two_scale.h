@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_POWER_OF_TWO_SCALE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_POWER_OF_TWO_SCALE_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// The e for which the box from `low` to `high` has an extent in [1, 2) after division by 2^e; 0 for
+// a point. Scaling by a power of two loses no bit, and at this scale products of lengths neither
+// overflow nor underflow.
+inline int scale_exponent(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+{
+  // Halves, as the difference of two finite numbers may be infinite.
+  const double half_extent = (0.5 * high - 0.5 * low).maxCoeff();
+  return half_extent > 0 ? std::ilogb(half_extent) + 1 : 0;
+}
+
+// `vector` times 2^e.
+template <typename Vector>
+Vector scaled(Vector vector, int e)
+{
+  for(Eigen::Index i = 0; i < vector.size(); ++i)
+    vector[i] = std::ldexp(vector[i], e);
+  return vector;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_POWER_OF_TWO_SCALE_H
