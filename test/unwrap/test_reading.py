@@ -129,7 +129,8 @@ class Reading(Case):
         for name, content in (("text.stl", to_text_stl(SPHERE)),
                               ("binary.stl", to_binary_stl(SPHERE))):
             with self.subTest(name=name):
-                self.assertEqual(self.unwrap(self.write(name, content), "-o", "out.obj").returncode, 0)
+                run = self.unwrap(self.write(name, content), "-o", "out.obj")
+                self.assertEqual(run.returncode, 0, run.stderr)
                 self.assert_same_mesh((merged, faces), "out.obj")
 
     def test_isolated_points_are_kept(self):
@@ -140,7 +141,8 @@ class Reading(Case):
 
     def test_doubles_survive(self):
         points = [(x / 3, y / 7, z * 1e-3) for x, y, z in SPHERE[0]]
-        self.assertEqual(self.unwrap(self.write("a.off", to_off((points, SPHERE[1])))).returncode, 0)
+        run = self.unwrap(self.write("a.off", to_off((points, SPHERE[1]))))
+        self.assertEqual(run.returncode, 0, run.stderr)
         self.assert_same_mesh((points, SPHERE[1]), "a.uv.obj")
 
     def test_unreadable(self):

@@ -9,7 +9,6 @@
 
 #include <csignal>
 #include <exception>
-#include <iomanip>
 #include <iostream>
 #include <new>
 
@@ -77,8 +76,10 @@ void print_messages(const Options& options, const Outcome& outcome)
                 << "written to " << options.output << "\n";
     return;
   }
-  const bool is_about_input = outcome.exit_code != Exit_code::USAGE;
-  std::cerr << "unwrap: " << (is_about_input ? options.input + ": " : "") << outcome.message << "\n";
+  std::cerr << "unwrap: ";
+  if(outcome.exit_code != Exit_code::USAGE)
+    std::cerr << options.input << ": ";
+  std::cerr << outcome.message << "\n";
 }
 
 } // namespace

@@ -6,28 +6,6 @@
 
 namespace {
 
-// The symmetric Dirichlet energy of a triangle, |J|^2 (1 + 1/det(J)^2): 4 if nothing is distorted.
-double distortion(const Layout& layout, std::size_t face)
-{
-  const auto point = [&](std::size_t k)
-  {
-    const std::array<double, 3>& p = layout.points[std::size_t(layout.triangles[face][k])];
-    return Kernel::Point_3(p[0], p[1], p[2]);
-  };
-  const auto uv = [&](std::size_t k)
-  {
-    const std::array<double, 2>& p = layout.uv_points[std::size_t(layout.uv_triangles[face][k])];
-    return Kernel::Point_2(p[0], p[1]);
-  };
-  const Kernel::Vector_3 a = point(1) - point(0), b = point(2) - point(0);
-  const Kernel::Vector_2 u = uv(1) - uv(0), v = uv(2) - uv(0);
-  const double squared_area = CGAL::cross_product(a, b).squared_length(); // times four, as below
-  const double squared_norm = ((u * u) * (b * b) - 2 * (u * v) * (a * b) + (v * v) * (a * a))
-                              / squared_area;
-  const double uv_area = CGAL::determinant(u, v);
-  return squared_norm * (1 + squared_area / (uv_area * uv_area));
-}
-
 // Numbers the UV vertices in the order in which the faces meet them.
 class Layout_builder
 {
@@ -41,10 +19,7 @@ public:
   {
     m_layout.points = m_soup.points;
     for(const Face f : m_mesh.faces())
-    {
       add_face(f);
-      m_layout.distortions.push_back(distortion(m_layout, f));
-    }
     for(const Halfedge h : m_mesh.halfedges())
       if(!m_mesh.is_border(h) && is_separated(h))
         m_layout.chart_borders.push_back({{m_uv_vertices[m_mesh.prev(h)], m_uv_vertices[h]}});

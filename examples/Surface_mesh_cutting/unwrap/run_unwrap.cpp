@@ -6,7 +6,10 @@
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
+#include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -20,6 +23,7 @@
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+namespace SMP = CGAL::Surface_mesh_parameterization;
 using SMC::Status_code;
 using Result = SMC::Unwrap_result<Mesh>;
 
@@ -215,6 +219,10 @@ Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& out
   for(const Vertex v : result.feature_points)
     layout.feature_points.push_back(int(v));
   std::sort(layout.feature_points.begin(), layout.feature_points.end());
+  layout.distortions.resize(mesh.num_faces());
+  SMP::compute_symmetric_Dirichlet_energy(
+    mesh, uvs, boost::make_iterator_property_map(layout.distortions.begin(),
+                                                 get(boost::face_index, mesh)));
   layout.bounding_box_diagonal = result.bounding_box_diagonal;
   return layout;
 }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -51,8 +53,31 @@ struct Side
   bool is_upward; // whether it leads from `low` to `high`
 
   int face() const { return corner / 3; }
+  bool operator<(const Side& other) const
+  {
+    return std::tie(low, high, corner) < std::tie(other.low, other.high, other.corner);
+  }
   bool has_same_vertices(const Side& other) const { return low == other.low && high == other.high; }
 };
+
+// Sorts items by their lowest vertex, which takes linear time, and then among themselves.
+template <typename Item, typename LowestVertex>
+std::vector<Item> sorted(const std::vector<Item>& items, int number_of_points,
+                         LowestVertex lowest_vertex)
+{
+  std::vector<std::size_t> ends(std::size_t(number_of_points) + 1, 0);
+  for(const Item& item : items)
+    ++ends[std::size_t(lowest_vertex(item)) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+
+  std::vector<Item> result(items.size());
+  for(const Item& item : items)
+    result[ends[std::size_t(lowest_vertex(item))]++] = item;
+  std::size_t first = 0;
+  for(std::size_t v = 0; v + 1 < ends.size(); first = ends[v++])
+    std::sort(result.begin() + std::ptrdiff_t(first), result.begin() + std::ptrdiff_t(ends[v]));
+  return result;
+}
 
 int next_corner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
@@ -68,10 +93,7 @@ std::vector<Side> sorted_sides(const Polygon_soup& soup)
     sides.push_back({(std::min)(source, target), (std::max)(source, target), corner,
                      source < target});
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.corner) < std::tie(b.low, b.high, b.corner);
-  });
-  return sides;
+  return sorted(sides, soup.number_of_points(), [](const Side& side) { return side.low; });
 }
 
 // Calls `visit(first, last)` for each group of sides with the same vertices.
@@ -135,14 +157,16 @@ void check_triangles(const Polygon_soup& soup)
 // A face with the same corners as another one, in the same cyclic order.
 void check_duplicates(const Polygon_soup& soup)
 {
-  std::vector<std::array<int, 4> > faces; // corners from the lowest one on, index
+  using Face = std::array<int, 4>; // corners from the lowest one on, index
+  std::vector<Face> faces;
+  faces.reserve(soup.polygon_ends.size());
   for(int f = 0; f < soup.number_of_polygons(); ++f)
   {
-    std::array<int, 4> face = {{soup.corner(f, 0), soup.corner(f, 1), soup.corner(f, 2), f}};
+    Face face = {{soup.corner(f, 0), soup.corner(f, 1), soup.corner(f, 2), f}};
     std::rotate(face.begin(), std::min_element(face.begin(), face.begin() + 3), face.begin() + 3);
     faces.push_back(face);
   }
-  std::sort(faces.begin(), faces.end());
+  faces = sorted(faces, soup.number_of_points(), [](const Face& face) { return face[0]; });
 
   Defects defects(Witness::Kind::FACES);
   for(std::size_t i = 1; i < faces.size(); ++i)

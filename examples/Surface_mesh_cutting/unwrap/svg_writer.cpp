@@ -170,8 +170,11 @@ void draw_legend(const Outcome& outcome, double top, double width, Number_writer
          "<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n";
   write_text(margin, top + 16, "start",
              "Symmetric Dirichlet energy per triangle (4: no distortion)", out);
-  for(const char* const label : {"4", "4.1", "4.5", "5", "6", "8", "12", "20"})
-    write_text(margin + position_on_scale(std::stod(label)) * width, top + 55, "middle", label, out);
+  for(const char* const label : {"4", "4.1", "4.5", "5", "6", "8", "12", "20", "32"})
+  {
+    const double x = margin + position_on_scale(std::stod(label)) * width;
+    write_text(x, top + 55, "middle", label, out);
+  }
   write_text(margin, top + 78, "start", caption(outcome), out);
   out << "</g>\n";
 }

@@ -6,7 +6,9 @@
 std::string checkerboard_png()
 {
   constexpr int squares = 8, size = 512;
-  Image image(size, size, {{{245, 245, 240}}, {{70, 110, 150}}, {{220, 220, 210}}, {{40, 70, 110}}});
+  const std::vector<Image::Color> palette = {{{245, 245, 240}}, {{70, 110, 150}},
+                                             {{220, 220, 210}}, {{40, 70, 110}}};
+  Image image(size, size, palette);
   for(int y = 0; y < size; ++y)
     for(int x = 0; x < size; ++x)
     {
