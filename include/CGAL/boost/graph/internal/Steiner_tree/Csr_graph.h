@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_CSR_GRAPH_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_CSR_GRAPH_H
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+struct Edge
+{
+  int source;
+  int target;
+  double weight;
+};
+
+// An undirected graph in compressed sparse row form. Each edge that is not a self loop has one arc in the
+// row of each of its two vertices; an arc stores what a relaxation reads next to each other.
+struct Csr_graph
+{
+  struct Arc
+  {
+    int target;
+    int edge;
+    double weight;
+  };
+
+  std::vector<Edge> edges;
+  std::vector<int> offsets;
+  std::vector<Arc> arcs;
+
+  Csr_graph() : offsets(1, 0) {}
+
+  // builds the rows by counting; O(n + m)
+  Csr_graph(int number_of_vertices, std::vector<Edge> edge_list)
+    : edges(std::move(edge_list)), offsets(std::size_t(number_of_vertices) + 1, 0)
+  {
+    for(const Edge& e : edges)
+      if(e.source != e.target) {
+        ++offsets[e.source + 1];
+        ++offsets[e.target + 1];
+      }
+    for(std::size_t v = 1; v < offsets.size(); ++v)
+      offsets[v] += offsets[v - 1];
+    arcs.resize(offsets.back());
+    std::vector<int> next(offsets.begin(), offsets.end() - 1);
+    for(std::size_t i = 0; i < edges.size(); ++i) {
+      const Edge& e = edges[i];
+      if(e.source == e.target)
+        continue;
+      arcs[next[e.source]++] = Arc{e.target, int(i), e.weight};
+      arcs[next[e.target]++] = Arc{e.source, int(i), e.weight};
+    }
+  }
+
+  int number_of_vertices() const { return int(offsets.size()) - 1; }
+  int number_of_edges() const { return int(edges.size()); }
+  int degree(int v) const { return offsets[v + 1] - offsets[v]; }
+
+  int opposite(int edge, int v) const
+  {
+    return edges[edge].source == v ? edges[edge].target : edges[edge].source;
+  }
+
+  // the arc in the other direction, for each arc
+  std::vector<int> opposite_arcs() const
+  {
+    std::vector<int> first(edges.size(), -1), result(arcs.size());
+    for(std::size_t i = 0; i < arcs.size(); ++i) {
+      int& other = first[arcs[i].edge];
+      if(other < 0)
+        other = int(i);
+      else {
+        result[i] = other;
+        result[other] = int(i);
+      }
+    }
+    return result;
+  }
+};
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_CSR_GRAPH_H

@@ -1,0 +1,371 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
+
+#include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+// The programme of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
+// d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging
+// two at the same vertex whose sets are disjoint. It looks for a tree of length at most `cut` and keeps only states
+// that such an optimal tree T can be made of:
+//
+//  1. T has a vertex all of whose branches hold at most half of the k terminals. The branches there can be joined
+//     into at most three parts with at most k/2 terminals each. So no larger set is sent, and T is found as three
+//     states (or two with exactly half of the terminals) at one vertex.
+//  2. d(v, I) + (lower bound for connecting v and the other terminals) <= cut (Completion_bound).
+//  3. The separators of Iwata and Shigemura (PACE 2018): let a be the largest number such that the other terminals
+//     are connected among the vertices u with d(u, I) >= a. Then every tree that connects them has a vertex u with
+//     d(u, I) <= a, where the part for I could be attached. So in T it is attached at such a distance, and
+//     d(v, I) > a cannot occur. The argument needs only that d(u, I) is the length of some tree, so tentative
+//     values of vertices that rule 2 has excluded may serve.
+//
+// All states of T itself survive, in the order of the number of terminals, with their exact values: by induction,
+// its parts did.
+template <int Words>
+class Pruned_dynamic_programme
+{
+  using Set = Terminal_set<Words>;
+
+  // how a state was made: by the edge to its predecessor (>= 0), from its terminal, or by the merge of two sets
+  // at the same vertex (-2 - index of the merge)
+  static constexpr int from_terminal = -1;
+
+  struct State
+  {
+    int vertex;
+    int origin;
+    double length;
+  };
+
+  struct Merge
+  {
+    int first;
+    int second;
+  };
+
+  struct Table
+  {
+    Set set;
+    double base;                // of the completion bound
+    std::vector<State> initial; // terminal or merges
+    std::vector<State> states;  // what is left in the end, by vertex
+  };
+
+  // what is known at a vertex
+  struct Label
+  {
+    int table;
+    double length;
+  };
+
+  const Csr_graph& m_graph;
+  const std::vector<int>& m_terminals;
+  const Completion_bound<Words>& m_bound;
+  const Set m_all;
+  double m_cut;
+  std::size_t m_remaining_states;
+  bool m_is_complete = true;
+
+  std::vector<Table> m_tables;
+  std::unordered_map<Set, int, typename Set::Hash> m_table_of_set;
+  std::vector<std::vector<int>> m_tables_by_size;
+  std::vector<Merge> m_merges;
+  std::vector<std::vector<Label>> m_labels;
+
+  int m_best_vertex = -1; // the best complete tree: tables with a state at this vertex
+  std::vector<int> m_best_tables;
+
+  // of the set that is being sent
+  Indexed_heap m_heap;
+  std::vector<double> m_lengths, m_completions;
+  std::vector<int> m_origins, m_touched;
+  std::vector<char> m_is_other_terminal;
+
+public:
+  Pruned_dynamic_programme(const Csr_graph& graph, const std::vector<int>& terminals,
+                           const Completion_bound<Words>& bound, double cut, std::size_t maximum_number_of_states)
+    : m_graph(graph)
+    , m_terminals(terminals)
+    , m_bound(bound)
+    , m_all(Set::all(int(terminals.size())))
+    , m_cut(cut)
+    , m_remaining_states(maximum_number_of_states)
+    , m_tables_by_size(terminals.size() + 1)
+    , m_labels(graph.number_of_vertices())
+    , m_heap(graph.number_of_vertices())
+    , m_lengths(graph.number_of_vertices(), infinity())
+    , m_completions(graph.number_of_vertices())
+    , m_origins(graph.number_of_vertices())
+    , m_is_other_terminal(graph.number_of_vertices(), 0)
+  {}
+
+  // false if it was stopped by the budget or by `go_further`
+  template <typename GoFurther>
+  bool run(GoFurther go_further)
+  {
+    for(int i = 0; i < int(m_terminals.size()); ++i) {
+      Set single;
+      single.insert(i);
+      m_tables[table_of(single)].initial.push_back(State{m_terminals[i], from_terminal, 0.});
+    }
+    for(std::size_t size = 1; size <= m_terminals.size() / 2; ++size)
+      for(std::size_t i = 0; i < m_tables_by_size[size].size(); ++i) {
+        if(!m_is_complete || !go_further())
+          return false;
+        const int table = m_tables_by_size[size][i];
+        send(table);
+        merge(table);
+        complete(table);
+      }
+    return m_is_complete;
+  }
+
+  bool has_found_tree() const { return m_best_vertex >= 0; }
+
+  Tree tree() const
+  {
+    std::vector<int> edges;
+    for(int table : m_best_tables)
+      trace(table, m_best_vertex, edges);
+    return make_tree(m_graph, m_terminals, edges);
+  }
+
+  std::size_t number_of_tables() const { return m_tables.size(); }
+
+private:
+  static double infinity() { return (std::numeric_limits<double>::infinity)(); }
+
+  int table_of(const Set& set)
+  {
+    const auto found = m_table_of_set.insert(std::make_pair(set, int(m_tables.size())));
+    if(found.second) {
+      m_tables.push_back(Table{set, m_bound.base(m_all.without(set)), {}, {}});
+      m_tables_by_size[set.size()].push_back(found.first->second);
+    }
+    return found.first->second;
+  }
+
+  void count_state()
+  {
+    if(m_remaining_states == 0)
+      m_is_complete = false;
+    else
+      --m_remaining_states;
+  }
+
+  // computes the lengths from the initial states (Dijkstra) and prunes by rules 2 and 3
+  void send(int index)
+  {
+    Table& table = m_tables[index];
+    const Set rest = m_all.without(table.set);
+    mark_others(rest, 1);
+    double limit = infinity(); // rule 3, seen from a single other terminal
+    const auto relax = [&](int v, double length, int origin) {
+      if(!(length < m_lengths[v]))
+        return;
+      if(m_lengths[v] == infinity()) {
+        m_touched.push_back(v);
+        m_completions[v] = m_bound(v, rest, table.base);
+      }
+      m_lengths[v] = length;
+      m_origins[v] = origin;
+      if(m_is_other_terminal[v])
+        limit = (std::min)(limit, length);
+      if(length + m_completions[v] <= m_cut)
+        m_heap.push_or_decrease(v, length);
+    };
+    for(const State& s : table.initial)
+      relax(s.vertex, s.length, s.origin);
+    while(!m_heap.empty()) {
+      const double length = m_heap.top_key();
+      if(length > limit)
+        break;
+      const int v = m_heap.pop();
+      table.states.push_back(State{v, m_origins[v], length});
+      if(m_is_other_terminal[v])
+        continue;
+      for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i)
+        relax(m_graph.arcs[i].target, length + m_graph.arcs[i].weight, m_graph.arcs[i].edge);
+    }
+    m_heap.clear();
+    std::vector<State>().swap(table.initial);
+
+    if(!table.states.empty()) {
+      limit = (std::min)(limit, separating_distance(rest));
+      while(!table.states.empty() && table.states.back().length > limit)
+        table.states.pop_back();
+    }
+    for(int v : m_touched)
+      m_lengths[v] = infinity();
+    m_touched.clear();
+    mark_others(rest, 0);
+    std::sort(table.states.begin(), table.states.end(),
+              [](const State& a, const State& b) { return a.vertex < b.vertex; });
+    for(std::size_t i = 0; i < table.states.size(); ++i)
+      count_state();
+  }
+
+  void mark_others(const Set& rest, char value)
+  {
+    for(int i = 0; i < int(m_terminals.size()); ++i)
+      if(rest.contains(i))
+        m_is_other_terminal[m_terminals[i]] = value;
+  }
+
+  // rule 3: adds the vertices in the order of decreasing length until the other terminals are connected
+  double separating_distance(const Set& rest)
+  {
+    const int n = m_graph.number_of_vertices();
+    int missing = rest.size() - 1;
+    if(missing == 0)
+      return infinity(); // the limit from that terminal says it all
+    Disjoint_sets components(n);
+    std::vector<char> holds_terminal(m_is_other_terminal);
+    const auto unite = [&](int v, int w) {
+      v = components.find(v);
+      w = components.find(w);
+      if(v == w)
+        return;
+      components.unite(v, w);
+      if(holds_terminal[v] && holds_terminal[w])
+        --missing;
+      holds_terminal[components.find(v)] = holds_terminal[v] || holds_terminal[w];
+    };
+    for(int v = 0; v < n; ++v)
+      if(m_lengths[v] == infinity())
+        for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i) {
+          const int w = m_graph.arcs[i].target;
+          if(w < v && m_lengths[w] == infinity())
+            unite(v, w);
+        }
+    if(missing == 0)
+      return infinity();
+    std::sort(m_touched.begin(), m_touched.end(), [&](int v, int w) { return m_lengths[v] > m_lengths[w]; });
+    for(int v : m_touched) {
+      for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i)
+        if(m_lengths[m_graph.arcs[i].target] >= m_lengths[v])
+          unite(v, m_graph.arcs[i].target);
+      if(missing == 0)
+        return m_lengths[v];
+    }
+    return 0.;
+  }
+
+  // merges the states of a table with those of the earlier tables at the same vertices
+  void merge(int index)
+  {
+    struct Target
+    {
+      int table = -1;
+      int merge = -1;
+      bool is_disjoint = false;
+      bool is_known = false;
+    };
+    std::vector<Target> targets(m_tables.size());
+    const Set set = m_tables[index].set;
+    for(std::size_t s = 0; s < m_tables[index].states.size(); ++s) {
+      const State state = m_tables[index].states[s];
+      for(const Label& label : m_labels[state.vertex]) {
+        Target& target = targets[label.table];
+        if(!target.is_known) {
+          target.is_known = true;
+          target.is_disjoint = !set.intersects(m_tables[label.table].set);
+        }
+        const double length = state.length + label.length;
+        if(!target.is_disjoint || length > m_cut)
+          continue;
+        if(target.table < 0) {
+          target.table = table_of(set.united(m_tables[label.table].set));
+          target.merge = int(m_merges.size());
+          m_merges.push_back(Merge{index, label.table});
+        }
+        Table& united = m_tables[target.table];
+        if(length + m_bound(state.vertex, m_all.without(united.set), united.base) > m_cut)
+          continue;
+        if(united.set == m_all)
+          improve(length, state.vertex, {index, label.table});
+        else {
+          united.initial.push_back(State{state.vertex, -2 - target.merge, length});
+          count_state();
+        }
+      }
+      m_labels[state.vertex].push_back(Label{index, state.length});
+    }
+  }
+
+  // rule 1: three parts, the last of which is `index`
+  void complete(int index)
+  {
+    const auto found = m_table_of_set.find(m_all.without(m_tables[index].set));
+    if(found == m_table_of_set.end())
+      return;
+    const std::vector<State>& states = m_tables[index].states;
+    for(const State& other : m_tables[found->second].initial) {
+      const auto state = std::lower_bound(states.begin(), states.end(), other.vertex,
+                                          [](const State& s, int v) { return s.vertex < v; });
+      if(state == states.end() || state->vertex != other.vertex || other.origin == from_terminal)
+        continue;
+      const Merge merge = m_merges[-2 - other.origin];
+      improve(state->length + other.length, other.vertex, {index, merge.first, merge.second});
+    }
+  }
+
+  void improve(double length, int v, std::vector<int> tables)
+  {
+    if(length > m_cut || (m_best_vertex >= 0 && length == m_cut))
+      return;
+    m_cut = length;
+    m_best_vertex = v;
+    m_best_tables = std::move(tables);
+  }
+
+  // appends the edges of the tree of a state
+  void trace(int index, int v, std::vector<int>& edges) const
+  {
+    std::vector<std::pair<int, int>> stack(1, std::make_pair(index, v));
+    while(!stack.empty()) {
+      const std::pair<int, int> top = stack.back();
+      stack.pop_back();
+      const std::vector<State>& states = m_tables[top.first].states;
+      const auto state = std::lower_bound(states.begin(), states.end(), top.second,
+                                          [](const State& s, int w) { return s.vertex < w; });
+      if(state->origin >= 0) {
+        edges.push_back(state->origin);
+        stack.push_back(std::make_pair(top.first, m_graph.opposite(state->origin, top.second)));
+      }
+      else if(state->origin != from_terminal) {
+        const Merge merge = m_merges[-2 - state->origin];
+        stack.push_back(std::make_pair(merge.first, top.second));
+        stack.push_back(std::make_pair(merge.second, top.second));
+      }
+    }
+  }
+};
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H

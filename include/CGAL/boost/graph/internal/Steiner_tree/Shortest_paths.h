@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATHS_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATHS_H
+
+#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Indexed_heap.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+// Dijkstra's algorithm from any set of sources. The arrays are kept between runs and only what a run touched is
+// reset, so that many small searches on a large graph are cheap.
+class Shortest_paths
+{
+  const Csr_graph* m_graph;
+  Indexed_heap m_heap;
+  std::vector<double> m_distances;
+  std::vector<int> m_edges; // last edge of the path to a vertex, -1 at a source
+  std::vector<int> m_touched;
+
+public:
+  explicit Shortest_paths(const Csr_graph& graph)
+    : m_graph(&graph)
+    , m_heap(graph.number_of_vertices())
+    , m_distances(graph.number_of_vertices(), infinity())
+    , m_edges(graph.number_of_vertices(), -1)
+  {}
+
+  static double infinity() { return (std::numeric_limits<double>::infinity)(); }
+
+  double distance(int v) const { return m_distances[v]; }
+  const std::vector<double>& distances() const { return m_distances; }
+  const std::vector<int>& last_edges() const { return m_edges; }
+  int last_edge(int v) const { return m_edges[v]; }
+  int predecessor(int v) const { return m_graph->opposite(m_edges[v], v); }
+  const std::vector<int>& touched() const { return m_touched; }
+
+  void clear()
+  {
+    for(int v : m_touched) {
+      m_distances[v] = infinity();
+      m_edges[v] = -1;
+    }
+    m_touched.clear();
+    m_heap.clear();
+  }
+
+  void add_source(int v, double distance = 0.)
+  {
+    relax(v, distance, -1);
+  }
+
+  // makes a vertex that was reached a source; during a search, the distances around it go down as if it had
+  // always been one
+  void make_source(int v)
+  {
+    m_distances[v] = 0.;
+    m_edges[v] = -1;
+    m_heap.push_or_decrease(v, 0.);
+  }
+
+  // calls `settle(v)` for the vertices in the order of their distances until it returns false
+  template <typename Settle>
+  void run(Settle settle)
+  {
+    run(settle, [this](int i) { return m_graph->arcs[i].weight; });
+  }
+
+  // the same with the weight of arc `i` (in its vertex's row) given by `weight(i)`; infinity means: no arc
+  template <typename Settle, typename Weight>
+  void run(Settle settle, Weight weight)
+  {
+    while(!m_heap.empty()) {
+      const int v = m_heap.pop();
+      if(!settle(v))
+        return;
+      const double distance = m_distances[v];
+      for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i) {
+        const Csr_graph::Arc& arc = m_graph->arcs[i];
+        relax(arc.target, distance + weight(i), arc.edge);
+      }
+    }
+  }
+
+  // searches everything that can be reached
+  void run()
+  {
+    run([](int) { return true; });
+  }
+
+  // appends the edges of the path to `v`
+  template <typename OutputIterator>
+  OutputIterator path(int v, OutputIterator out) const
+  {
+    for(; m_edges[v] >= 0; v = predecessor(v))
+      *out++ = m_edges[v];
+    return out;
+  }
+
+private:
+  void relax(int v, double distance, int edge)
+  {
+    if(!(distance < m_distances[v]))
+      return;
+    if(m_distances[v] == infinity())
+      m_touched.push_back(v);
+    m_distances[v] = distance;
+    m_edges[v] = edge;
+    m_heap.push_or_decrease(v, distance);
+  }
+};
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATHS_H

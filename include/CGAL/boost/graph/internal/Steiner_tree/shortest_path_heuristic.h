@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATH_HEURISTIC_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATH_HEURISTIC_H
+
+#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Voronoi_regions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+// The shortest path heuristic of Takahashi and Matsuyama (1980): grows a tree from `start`, always by a shortest
+// path to the nearest terminal outside. One search serves all steps: the vertices of a new path become sources
+// and lower the distances around them. The tree has infinite length if a terminal cannot be reached.
+// `weight(i)` is the weight of arc i.
+template <typename Weight>
+Tree shortest_path_heuristic(const Csr_graph& graph, const std::vector<int>& terminals, int start, Weight weight)
+{
+  std::vector<char> is_terminal = mark(graph.number_of_vertices(), terminals);
+  std::size_t remaining = terminals.size();
+  std::vector<int> tree_edges;
+  Shortest_paths paths(graph);
+  paths.add_source(start);
+  paths.run([&](int v) {
+    if(is_terminal[v] != 1)
+      return true;
+    is_terminal[v] = 2; // reached
+    for(int u = v; paths.last_edge(u) >= 0;) {
+      const int e = paths.last_edge(u), next = paths.predecessor(u);
+      tree_edges.push_back(e);
+      paths.make_source(u);
+      u = next;
+    }
+    return --remaining > 0;
+  }, weight);
+  return remaining == 0 ? make_tree(graph, terminals, tree_edges) : Tree();
+}
+
+inline Tree shortest_path_heuristic(const Csr_graph& graph, const std::vector<int>& terminals, int start)
+{
+  return shortest_path_heuristic(graph, terminals, start, [&](int i) { return graph.arcs[i].weight; });
+}
+
+// a terminal that has another terminal nearest to it: from there the heuristic grows as in the paper (Section 4.1),
+// which begins with the nearest pair
+inline int terminal_of_nearest_pair(const Csr_graph& graph, const std::vector<int>& terminals)
+{
+  const Voronoi_regions regions(graph, terminals);
+  int result = terminals.front();
+  double shortest = Shortest_paths::infinity();
+  for(const Edge& edge : graph.edges)
+    if(regions.is_bridge(edge) && regions.bridge_length(edge) < shortest) {
+      shortest = regions.bridge_length(edge);
+      result = (std::min)(regions.center(edge.source), regions.center(edge.target));
+    }
+  return result;
+}
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATH_HEURISTIC_H

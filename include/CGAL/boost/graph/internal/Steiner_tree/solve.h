@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
+
+#include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/textbook_dynamic_programme.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+enum class Method
+{
+  metric_closure,
+  shortest_path_heuristic,
+  greedy_auxiliary_points,                    // the points connected along the metric closure
+  greedy_auxiliary_points_and_shortest_paths, // or by the shortest path heuristic
+  textbook,
+  exact
+};
+
+struct Options
+{
+  Method method = Method::exact;
+  double minimum_length_decrease = 0.;
+  std::size_t maximum_number_of_states = 20000000;
+};
+
+enum class Outcome
+{
+  done, // for the exact methods: with proof
+  terminals_not_connected,
+  budget_exceeded,
+  cancelled
+};
+
+// If not all terminals are connected there is no tree; otherwise there is one whatever the outcome, except when the
+// budget is too small for the textbook programme.
+struct Solution
+{
+  Outcome outcome = Outcome::done;
+  Tree tree;
+  double lower_bound = 0.;
+  bool is_optimal = false;
+};
+
+inline bool are_connected(const Csr_graph& graph, const std::vector<int>& terminals)
+{
+  Disjoint_sets components(graph.number_of_vertices());
+  for(const Edge& e : graph.edges)
+    components.unite(e.source, e.target);
+  return std::all_of(terminals.begin(), terminals.end(), [&](int t) {
+    return components.find(t) == components.find(terminals.front());
+  });
+}
+
+// vertices that branch the tree without being terminals
+inline int number_of_branch_vertices(const Csr_graph& graph, const std::vector<int>& terminals, const Tree& tree)
+{
+  std::vector<int> ends;
+  for(int e : tree.edges) {
+    ends.push_back(graph.edges[e].source);
+    ends.push_back(graph.edges[e].target);
+  }
+  std::sort(ends.begin(), ends.end());
+  int result = 0;
+  for(auto it = ends.begin(); it != ends.end();) {
+    const auto next = std::upper_bound(it, ends.end(), *it);
+    if(next - it >= 3 && std::find(terminals.begin(), terminals.end(), *it) == terminals.end())
+      ++result;
+    it = next;
+  }
+  return result;
+}
+
+template <typename ConcurrencyTag, typename GoFurther>
+Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
+                 GoFurther go_further)
+{
+  Key_points points(graph, terminals, ConcurrencyTag());
+  const Tree tree = insert_auxiliary_points(points, options.minimum_length_decrease, ConcurrencyTag(), go_further);
+  if(options.method == Method::greedy_auxiliary_points)
+    return tree;
+  std::vector<int> keys(terminals);
+  for(int i = 0; i < points.number_of_auxiliary_points(); ++i)
+    keys.push_back(points.auxiliary_point(i));
+  const Tree grown = shortest_path_heuristic(graph, keys, terminal_of_nearest_pair(graph, keys));
+  return make_tree(graph, terminals, grown.edges);
+}
+
+// connects the terminals, which must be different vertices. `go_further()` is asked between steps; false cancels.
+// Weights must be finite and not negative.
+template <typename ConcurrencyTag, typename GoFurther>
+Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
+               GoFurther go_further)
+{
+  Solution solution;
+  if(!are_connected(graph, terminals)) {
+    solution.outcome = Outcome::terminals_not_connected;
+    return solution;
+  }
+  if(terminals.size() < 2) {
+    solution.tree.length = 0.;
+    solution.is_optimal = true;
+    return solution;
+  }
+  switch(options.method) {
+  case Method::metric_closure:
+    solution.tree = metric_closure_tree(graph, terminals);
+    break;
+  case Method::shortest_path_heuristic:
+    solution.tree = shortest_path_heuristic(graph, terminals, terminal_of_nearest_pair(graph, terminals));
+    break;
+  case Method::greedy_auxiliary_points:
+  case Method::greedy_auxiliary_points_and_shortest_paths:
+    solution.tree = greedy_tree<ConcurrencyTag>(graph, terminals, options, go_further);
+    break;
+  case Method::textbook:
+    if(std::ldexp(double(graph.number_of_vertices()), int(terminals.size()) - 1) >
+       double(options.maximum_number_of_states)) {
+      solution.outcome = Outcome::budget_exceeded;
+      return solution;
+    }
+    solution.tree = textbook_dynamic_programme(graph, terminals);
+    solution.is_optimal = true;
+    break;
+  case Method::exact:
+    const Exact_solver<ConcurrencyTag, GoFurther> solver(graph, terminals, options.maximum_number_of_states,
+                                                         go_further);
+    solution.tree = solver.tree();
+    solution.lower_bound = solver.lower_bound();
+    solution.is_optimal = solver.is_optimal();
+    if(!solution.is_optimal)
+      solution.outcome = Outcome::budget_exceeded;
+    break;
+  }
+  if(terminals.size() == 2)
+    solution.is_optimal = true; // all methods end with a shortest path then
+  if(solution.is_optimal)
+    solution.lower_bound = solution.tree.length;
+  else if(!go_further())
+    solution.outcome = Outcome::cancelled;
+  return solution;
+}
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H

@@ -1,0 +1,89 @@
+#ifndef STEINER_TREE_CHECKS_H
+#define STEINER_TREE_CHECKS_H
+
+#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace Core = CGAL::internal::Steiner_tree;
+
+#define CHECK(condition)                                                                   \
+  do {                                                                                     \
+    if(!(condition)) {                                                                     \
+      std::cerr << __FILE__ << ":" << __LINE__ << ": " << #condition << " failed\n";       \
+      std::exit(EXIT_FAILURE);                                                             \
+    }                                                                                      \
+  } while(false)
+
+inline bool are_equal(double a, double b)
+{
+  return std::abs(a - b) <= 1e-9 * (std::max)(std::abs(a), std::abs(b));
+}
+
+// no cycle, all terminals connected, no leaf that is no terminal, and the length is right
+inline void check_tree(const Core::Csr_graph& graph, const std::vector<int>& terminals, const Core::Tree& tree)
+{
+  Core::Disjoint_sets components(graph.number_of_vertices());
+  std::vector<int> degree(graph.number_of_vertices(), 0);
+  double length = 0.;
+  for(int e : tree.edges) {
+    CHECK(components.unite(graph.edges[e].source, graph.edges[e].target));
+    ++degree[graph.edges[e].source];
+    ++degree[graph.edges[e].target];
+    length += graph.edges[e].weight;
+  }
+  CHECK(are_equal(length, tree.length));
+  for(int t : terminals)
+    CHECK(components.find(t) == components.find(terminals.front()));
+  for(int v = 0; v < graph.number_of_vertices(); ++v)
+    CHECK(degree[v] != 1 || std::find(terminals.begin(), terminals.end(), v) != terminals.end());
+  CHECK(tree.edges.empty() == (terminals.size() < 2));
+}
+
+inline Core::Solution solve(const Core::Csr_graph& graph, const std::vector<int>& terminals, Core::Method method,
+                            double minimum_length_decrease = 0.)
+{
+  Core::Options options;
+  options.method = method;
+  options.minimum_length_decrease = minimum_length_decrease;
+  return Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; });
+}
+
+const Core::Method heuristics[] = {
+  Core::Method::metric_closure, Core::Method::shortest_path_heuristic, Core::Method::greedy_auxiliary_points,
+  Core::Method::greedy_auxiliary_points_and_shortest_paths};
+
+// all methods on one problem whose optimum is known
+inline void check_all_methods(const Core::Csr_graph& graph, const std::vector<int>& terminals, double optimum)
+{
+  for(Core::Method method : heuristics) {
+    const Core::Solution solution = solve(graph, terminals, method);
+    CHECK(solution.outcome == Core::Outcome::done);
+    check_tree(graph, terminals, solution.tree);
+    CHECK(solution.tree.length >= optimum * (1. - 1e-9));
+    CHECK(solution.tree.length <= 2. * optimum * (1. + 1e-9));
+    CHECK(solution.lower_bound <= optimum * (1. + 1e-9));
+  }
+  for(Core::Method method : {Core::Method::textbook, Core::Method::exact}) {
+    const Core::Solution solution = solve(graph, terminals, method);
+    CHECK(solution.outcome == Core::Outcome::done);
+    CHECK(solution.is_optimal);
+    check_tree(graph, terminals, solution.tree);
+    CHECK(are_equal(solution.tree.length, optimum));
+    CHECK(are_equal(solution.lower_bound, optimum));
+  }
+  // without any state left, what the other parts of the exact solver find is a tree and a bound
+  Core::Options options;
+  options.maximum_number_of_states = 0;
+  const Core::Solution solution = Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; });
+  check_tree(graph, terminals, solution.tree);
+  CHECK(solution.tree.length >= optimum * (1. - 1e-9));
+  CHECK(solution.lower_bound <= optimum * (1. + 1e-9));
+  CHECK(!solution.is_optimal || are_equal(solution.tree.length, optimum));
+}
+
+#endif // STEINER_TREE_CHECKS_H

@@ -1,0 +1,86 @@
+// All methods on small random graphs of several kinds, against the enumeration of all sets of Steiner vertices.
+
+#include "steiner_tree_checks.h"
+
+#include <CGAL/Random.h>
+
+#include <limits>
+
+double brute_force(const Core::Csr_graph& graph, const std::vector<int>& terminals)
+{
+  std::vector<int> order;
+  for(int e = 0; e < graph.number_of_edges(); ++e)
+    order.push_back(e);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return graph.edges[a].weight < graph.edges[b].weight; });
+  unsigned int terminal_set = 0;
+  for(int t : terminals)
+    terminal_set |= 1u << t;
+  double best = (std::numeric_limits<double>::infinity)();
+  for(unsigned int set = 0; set < (1u << graph.number_of_vertices()); ++set) {
+    if((set & terminal_set) != terminal_set)
+      continue;
+    int missing = -1;
+    for(int v = 0; v < graph.number_of_vertices(); ++v)
+      missing += int((set >> v) & 1);
+    double length = 0.;
+    Core::Disjoint_sets components(graph.number_of_vertices());
+    for(int e : order) {
+      const Core::Edge& edge = graph.edges[e];
+      if(((set >> edge.source) & 1) && ((set >> edge.target) & 1) && components.unite(edge.source, edge.target)) {
+        length += edge.weight;
+        --missing;
+      }
+    }
+    if(missing == 0)
+      best = (std::min)(best, length);
+  }
+  return best;
+}
+
+double random_weight(CGAL::Random& random, int kind)
+{
+  switch(kind) {
+  case 0: return random.get_int(1, 4);                             // many ties
+  case 1: return random.get_int(0, 3);                             // zeros
+  case 2: return random.get_double(0.5, 1.);                       // metric: the triangle inequality holds
+  case 3: return std::pow(10., random.get_double(-6., 6.));        // many orders of magnitude
+  default: return random.get_double(0., 1.);
+  }
+}
+
+int main()
+{
+  const unsigned int seed = 20260101;
+  const int number_of_graphs = 12000;
+  std::cout << number_of_graphs << " random graphs, seed " << seed << std::endl;
+  CGAL::Random random(seed);
+  int number_connected = 0;
+  for(int i = 0; i < number_of_graphs; ++i) {
+    const int n = random.get_int(1, 10);
+    const int m = random.get_int(0, 3 * n + 1);
+    const int kind = random.get_int(0, 5);
+    std::vector<Core::Edge> edges; // loops, parallel edges and several components included
+    if(random.get_int(0, 4) != 0)
+      for(int v = 1; v < n; ++v)
+        edges.push_back(Core::Edge{random.get_int(0, v), v, random_weight(random, kind)});
+    for(int j = 0; j < m; ++j)
+      edges.push_back(Core::Edge{random.get_int(0, n), random.get_int(0, n), random_weight(random, kind)});
+    const Core::Csr_graph graph(n, edges);
+    std::vector<int> terminals;
+    const int density = random.get_int(1, 5);
+    for(int v = 0; v < n; ++v)
+      if(random.get_int(0, 4) < density)
+        terminals.push_back(v);
+    const double optimum = brute_force(graph, terminals);
+    if(terminals.empty() || optimum < (std::numeric_limits<double>::infinity)()) {
+      ++number_connected;
+      check_all_methods(graph, terminals, terminals.empty() ? 0. : optimum);
+    }
+    else
+      CHECK(solve(graph, terminals, Core::Method::exact).outcome == Core::Outcome::terminals_not_connected);
+  }
+  std::cout << number_connected << " with connected terminals" << std::endl;
+  CHECK(number_connected >= 10000);
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,38 @@
+// The same trees, edge by edge, for any number of threads and on every run.
+
+#include "mesh_graphs.h"
+#include "steiner_tree_checks.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+template <typename ConcurrencyTag>
+std::vector<std::vector<int>> trees(const Core::Csr_graph& graph, const std::vector<int>& terminals)
+{
+  std::vector<std::vector<int>> result;
+  for(Core::Method method : {Core::Method::greedy_auxiliary_points, Core::Method::exact}) {
+    Core::Options options;
+    options.method = method;
+    result.push_back(Core::solve<ConcurrencyTag>(graph, terminals, options, [] { return true; }).tree.edges);
+  }
+  return result;
+}
+
+int main()
+{
+  CGAL::Random random(3);
+  for(double noise : {0., 0.9}) {
+    const Core::Csr_graph graph = grid_graph(60, 50, noise, random);
+    const std::vector<int> terminals = random_terminals(graph.number_of_vertices(), 12, random);
+    const std::vector<std::vector<int>> expected = trees<CGAL::Sequential_tag>(graph, terminals);
+    CHECK(trees<CGAL::Sequential_tag>(graph, terminals) == expected);
+#ifdef CGAL_LINKED_WITH_TBB
+    for(std::size_t number_of_threads : {1, 2, 3, 8}) {
+      tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+      CHECK(trees<CGAL::Parallel_tag>(graph, terminals) == expected);
+    }
+#endif
+  }
+  return EXIT_SUCCESS;
+}
