@@ -16,7 +16,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
 
+#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <utility>
@@ -31,10 +34,12 @@ using Surface_mesh_parameterization::internal::Triangle;
 using Surface_mesh_parameterization::internal::next_halfedge;
 using Surface_mesh_parameterization::internal::previous_halfedge;
 
+using CGAL::internal::Steiner_tree::Csr_graph;
+
 using Point = Eigen::Vector3d;
 
 // A triangle mesh in index arrays. Halfedge 3f+k leads from corner k of face f to corner k+1.
-// The graph of its vertices and edges is stored as compressed rows.
+// Its vertices and edges are a graph in compressed rows, weighted by length.
 class Flat_mesh
 {
 public:
@@ -46,7 +51,11 @@ public:
       m_opposites(std::move(opposites))
   {
     number_edges();
-    build_rows();
+    std::vector<CGAL::internal::Steiner_tree::Edge> edges;
+    edges.reserve(m_edge_halfedges.size());
+    for(int e = 0; e < number_of_edges(); ++e)
+      edges.push_back({source(halfedge(e)), target(halfedge(e)), length(e)});
+    m_graph = Csr_graph(number_of_vertices(), std::move(edges));
   }
 
   int number_of_vertices() const { return int(m_points.size()); }
@@ -71,12 +80,8 @@ public:
   double length(int e) const { return m_lengths[e]; }
   const std::vector<double>& lengths() const { return m_lengths; }
 
-  // The edges at `v`: entries `row_begin(v)` to `row_end(v)` of the two arrays below.
-  int row_begin(int v) const { return m_rows[v]; }
-  int row_end(int v) const { return m_rows[v + 1]; }
-  int neighbor(int entry) const { return m_neighbors[entry]; }
-  int neighbor_edge(int entry) const { return m_neighbor_edges[entry]; }
-  bool is_isolated(int v) const { return m_rows[v] == m_rows[v + 1]; }
+  const Csr_graph& graph() const { return m_graph; }
+  bool is_isolated(int v) const { return m_graph.degree(v) == 0; }
 
   double face_area(int f) const
   {
@@ -103,36 +108,13 @@ private:
     }
   }
 
-  void build_rows()
-  {
-    m_rows.assign(m_points.size() + 1, 0);
-    for(int h : m_edge_halfedges)
-    {
-      ++m_rows[source(h) + 1];
-      ++m_rows[target(h) + 1];
-    }
-    for(std::size_t v = 0; v < m_points.size(); ++v)
-      m_rows[v + 1] += m_rows[v];
-    std::vector<int> end(m_rows.begin(), m_rows.end() - 1);
-    m_neighbors.resize(2 * m_edge_halfedges.size());
-    m_neighbor_edges.resize(m_neighbors.size());
-    for(int e = 0; e < number_of_edges(); ++e)
-    {
-      const int s = source(m_edge_halfedges[e]), t = target(m_edge_halfedges[e]);
-      m_neighbors[end[s]] = t;
-      m_neighbor_edges[end[s]++] = e;
-      m_neighbors[end[t]] = s;
-      m_neighbor_edges[end[t]++] = e;
-    }
-  }
-
   std::vector<Point> m_points;
   std::vector<Triangle> m_triangles;
   std::vector<int> m_opposites;
   std::vector<int> m_edges;          // per halfedge
   std::vector<int> m_edge_halfedges; // per edge
   std::vector<double> m_lengths;     // per edge
-  std::vector<int> m_rows, m_neighbors, m_neighbor_edges;
+  Csr_graph m_graph;
 };
 
 } // namespace internal

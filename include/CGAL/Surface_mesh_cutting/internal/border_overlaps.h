@@ -165,6 +165,11 @@ private:
       if(h >= 0)
         rays.emplace_back(Bbox_2(source(h).x(), source(h).y(), right, source(h).y()), h);
 
+    std::vector<std::pair<int, int> > crossing_parts;
+    for(const std::pair<int, int>& c : m_crossings)
+      crossing_parts.push_back(std::minmax(m_parts.part[c.first / 3], m_parts.part[c.second / 3]));
+    std::sort(crossing_parts.begin(), crossing_parts.end());
+
     constexpr int contact = 0;
     std::vector<std::array<int, 3> > meetings; // inner part, outer part, turn
     box_intersection_d(rays.begin(), rays.end(), segments.begin(), segments.end(),
@@ -185,16 +190,18 @@ private:
     std::sort(meetings.begin(), meetings.end());
     for(auto first = meetings.begin(); first != meetings.end(); )
     {
+      const int inner = (*first)[0], outer = (*first)[1];
       int winding_number = 0;
-      bool has_contact = false;
+      bool has_contact = std::binary_search(crossing_parts.begin(), crossing_parts.end(),
+                                            std::pair<int, int>(std::minmax(inner, outer)));
       auto last = first;
-      for(; last != meetings.end() && (*last)[0] == (*first)[0] && (*last)[1] == (*first)[1]; ++last)
+      for(; last != meetings.end() && (*last)[0] == inner && (*last)[1] == outer; ++last)
       {
         winding_number += (*last)[2];
         has_contact = has_contact || (*last)[2] == contact;
       }
       if(winding_number != 0 && !has_contact)
-        m_containments.emplace_back((*first)[0], (*first)[1]);
+        m_containments.emplace_back(inner, outer);
       first = last;
     }
   }

@@ -62,14 +62,15 @@ inline std::vector<int> vertices_with_several_fans(const Flat_mesh& mesh)
 // edges between the same two vertices need to be compared.
 inline std::vector<int> faces_given_twice(const Flat_mesh& mesh)
 {
+  const Csr_graph& graph = mesh.graph();
   std::vector<char> is_parallel(mesh.number_of_edges(), 0);
   std::vector<int> latest(mesh.number_of_vertices(), -1); // entry of the latest row
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    for(int i = mesh.row_begin(v); i < mesh.row_end(v); ++i)
+    for(int i = graph.offsets[v]; i < graph.offsets[v + 1]; ++i)
     {
-      const int former = std::exchange(latest[mesh.neighbor(i)], i);
-      if(former >= mesh.row_begin(v))
-        is_parallel[mesh.neighbor_edge(i)] = is_parallel[mesh.neighbor_edge(former)] = 1;
+      const int former = std::exchange(latest[graph.arcs[i].target], i);
+      if(former >= graph.offsets[v])
+        is_parallel[graph.arcs[i].edge] = is_parallel[graph.arcs[former].edge] = 1;
     }
 
   std::vector<std::pair<Triangle, int> > candidates;

@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <algorithm>
 #include <array>

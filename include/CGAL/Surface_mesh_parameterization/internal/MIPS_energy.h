@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MIPS_ENERGY_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MIPS_ENERGY_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {

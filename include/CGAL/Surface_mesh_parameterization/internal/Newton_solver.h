@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SOLVER_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flip_barrier.h>
@@ -43,7 +43,7 @@ struct Newton_state
 struct Newton_options
 {
   int maximum_iterations = 200;
-  double decrement = 1e-6;
+  double decrement = 1e-6; // as a fraction of the energy
   // Ends the iteration when it returns true.
   std::function<bool(const Newton_state&)> stop;
 };
@@ -71,8 +71,8 @@ public:
   // Vertices with `is_fixed` keep their place (empty: all are free; then the first vertex is pinned,
   // which costs nothing since the energies do not depend on translation).
   Newton_solver(std::vector<Triangle> triangles, int number_of_vertices,
-                std::vector<char> is_fixed = {}, LinearSolver solver = LinearSolver())
-    : m_triangles(std::move(triangles)), m_solver(std::move(solver))
+                std::vector<char> is_fixed = {})
+    : m_triangles(std::move(triangles))
   {
     if(std::find(is_fixed.begin(), is_fixed.end(), char(1)) == is_fixed.end() && !m_triangles.empty())
     {
@@ -103,13 +103,7 @@ public:
     }
     while(true)
     {
-      result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, gauge_shift);
-      if(!std::isfinite(result.energy) || !m_solver.factorize(m_system.hessian()))
-        return result;
-      ++result.iterations;
-      const Eigen::VectorXd step = m_solver.solve(m_system.gradient());
-      result.decrement = m_system.gradient().dot(step);
-      if(!std::isfinite(result.decrement))
+      if(!find_direction<Energy>(shapes, weights, uv, result))
         return result;
       if(options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement}))
       {
@@ -118,8 +112,8 @@ public:
       }
       for(std::size_t v = 0; v < uv.size(); ++v)
         if(m_system.unknown(int(v)) >= 0)
-          direction[v] = -step.segment<2>(m_system.unknown(int(v)));
-      const bool is_converged = result.decrement <= options.decrement;
+          direction[v] = -m_step.segment<2>(m_system.unknown(int(v)));
+      const bool is_converged = result.decrement <= options.decrement * result.energy;
       const double former = result.energy;
       const bool has_moved = line_search<Energy>(shapes, weights, direction, uv, trial, result);
       if(is_converged || !has_moved || former - result.energy <= 1e-14 * former)
@@ -154,10 +148,33 @@ public:
   }
 
 private:
-  // Relative to each diagonal entry. MIPS does not depend on scale and rotation.
-  static constexpr double gauge_shift = 1e-12;
+  // Assembles and solves for the Newton direction. The diagonal shift is relative to each entry: it
+  // fixes the gauge (MIPS does not depend on scale and rotation) and grows only where rounding
+  // makes the factorization of an ill-conditioned matrix fail.
+  template <typename Energy>
+  bool find_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                      const std::vector<Eigen::Vector2d>& uv, Newton_result& result)
+  {
+    constexpr double gauge_shift = 1e-12, largest_shift = 1e-2, growth = 100;
+    for(double shift = gauge_shift; shift <= largest_shift; shift *= growth)
+    {
+      result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, shift);
+      if(!std::isfinite(result.energy))
+        return false;
+      ++result.iterations;
+      if(!m_solver.factorize(m_system.hessian()))
+        continue;
+      m_step = m_solver.solve(m_system.gradient());
+      result.decrement = m_system.gradient().dot(m_step);
+      if(std::isfinite(result.decrement) && result.decrement >= 0)
+        return true;
+    }
+    return false;
+  }
 
-  // Backtracking with Armijo's condition from the largest flip-free step, at most one Newton step.
+  // Backtracking with Armijo's condition from the full Newton step, or what is flip-free of it. Where
+  // the full step is accepted, longer ones are tried: while tiny triangles grow by orders of
+  // magnitude, the quadratic model sees only a factor of two per step.
   template <typename Energy>
   bool line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
                    const std::vector<Eigen::Vector2d>& direction, std::vector<Eigen::Vector2d>& uv,
@@ -165,25 +182,37 @@ private:
   {
     constexpr double armijo = 1e-4, backtracking = 0.5, margin = 0.9;
     constexpr int maximum_trials = 60;
-    double t = (std::min)(1., margin * step_to_first_flip(m_triangles, uv, direction));
-    for(int i = 0; i < maximum_trials; ++i, t *= backtracking)
+    const auto energy_at = [&](double t)
     {
       for(std::size_t v = 0; v < uv.size(); ++v)
         trial[v] = uv[v] + t * direction[v];
-      const double e = energy<Energy>(shapes, weights, trial);
-      if(e <= result.energy - armijo * t * result.decrement)
+      return energy<Energy>(shapes, weights, trial);
+    };
+    const double longest = margin * step_to_first_flip(m_triangles, uv, direction);
+    const double first = (std::min)(1., longest);
+    double t = first, e = energy_at(t);
+    for(int i = 0; i < maximum_trials && !(e <= result.energy - armijo * t * result.decrement); ++i)
+      e = energy_at(t *= backtracking);
+    if(!(e <= result.energy - armijo * t * result.decrement))
+      return false;
+    if(t == first)
+      for(double longer = 2 * t; longer < longest; longer *= 2)
       {
-        uv.swap(trial);
-        result.energy = e;
-        return true;
+        const double next = energy_at(longer);
+        if(!(next < e))
+          break;
+        e = next;
+        t = longer;
       }
-    }
-    return false;
+    result.energy = energy_at(t);
+    uv.swap(trial);
+    return true;
   }
 
   std::vector<Triangle> m_triangles;
   Newton_system m_system;
   LinearSolver m_solver;
+  Eigen::VectorXd m_step;
 };
 
 } // namespace internal

@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/triangle_energy.h>
@@ -134,7 +134,9 @@ private:
         }
     const int n = int(vertices.size());
     std::vector<std::array<int, 2> > pairs;
-    pairs.reserve(6 * triangles.size());
+    pairs.reserve(6 * triangles.size() + n);
+    for(int i = 0; i < n; ++i)
+      pairs.push_back({i, i}); // Eigen takes a row without diagonal entry for a dense one
     for(const Triangle& t : triangles)
       for(int k = 0; k < 3; ++k)
       {

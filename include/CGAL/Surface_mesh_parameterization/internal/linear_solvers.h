@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVERS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVERS_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -30,7 +30,7 @@ namespace internal {
 
 // Solvers of symmetric systems whose upper triangle is stored and whose unknowns come in an order
 // that keeps the factors sparse: `analyze()` once per pattern, `factorize()` once per matrix, false
-// if it fails, `solve()` as often as wanted.
+// unless the matrix is positive definite, `solve()` as often as wanted.
 
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
@@ -42,7 +42,7 @@ public:
   bool factorize(const Sparse_matrix& upper)
   {
     m_solver.factorize(upper);
-    return m_solver.info() == Eigen::Success;
+    return m_solver.info() == Eigen::Success && m_solver.vectorD().minCoeff() > 0;
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return m_solver.solve(b); }
 
@@ -82,7 +82,6 @@ template <typename SolverTraits>
 class Traits_solver
 {
 public:
-  explicit Traits_solver(const SolverTraits& traits = SolverTraits()) : m_traits(traits) {}
   void analyze(const Sparse_matrix&) {}
   bool factorize(const Sparse_matrix& upper)
   {

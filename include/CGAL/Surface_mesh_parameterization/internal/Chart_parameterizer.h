@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_PARAMETERIZER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_PARAMETERIZER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Flip-free maps of one chart: from nothing, or better ones from a given one. Keeps what does not
+// change between solves: shapes, weights and the symbolic factorization.
+template <typename LinearSolver = Simplicial_solver>
+class Chart_parameterizer
+{
+public:
+  // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat.
+  Chart_parameterizer(const Chart& chart, std::vector<Eigen::Vector3d> points,
+                      const std::vector<Rest_shape>& shapes)
+    : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
+      m_solver(chart.triangles(), chart.number_of_vertices())
+  {}
+
+  // As conformal as possible, free border (paper, Section 3.4): Tutte's embedding, then KP-Newton on
+  // the MIPS energy. Where Tutte's embedding collapses in floating point, the start is the
+  // hierarchical map instead. The result has the surface's area.
+  Newton_result conformal_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
+  {
+    if(!tutte_map(m_chart, m_points, surface_area(m_shapes), uv) &&
+       !hierarchical_map<LinearSolver>(m_chart, m_points, uv))
+      return Newton_result();
+    return improve_conformally(uv, options);
+  }
+
+  Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
+  {
+    const Newton_result result = m_solver.template minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
+    if(result.outcome != Newton_outcome::FAILED)
+      scale_to_area(m_chart.triangles(), surface_area(m_shapes), uv);
+    return result;
+  }
+
+  // As isometric as possible, free border: the hierarchical map, then KP-Newton on the symmetric
+  // Dirichlet energy. Should the hierarchy fail, the start is Tutte's embedding.
+  Newton_result isometric_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
+  {
+    if(!hierarchical_map<LinearSolver>(m_chart, m_points, uv) &&
+       !tutte_map(m_chart, m_points, surface_area(m_shapes), uv))
+      return Newton_result();
+    return improve_isometrically(uv, options);
+  }
+
+  // From the flip-free map `uv`, which is first brought to its best scale.
+  Newton_result improve_isometrically(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
+  {
+    const double scale = best_scale(m_shapes, m_chart.triangles(), uv);
+    for(Eigen::Vector2d& u : uv)
+      u *= scale;
+    return m_solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
+  }
+
+private:
+  const Chart& m_chart;
+  std::vector<Eigen::Vector3d> m_points;
+  const std::vector<Rest_shape>& m_shapes;
+  std::vector<double> m_weights;
+  Newton_solver<LinearSolver> m_solver;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_PARAMETERIZER_H
