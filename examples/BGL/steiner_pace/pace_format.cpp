@@ -66,14 +66,12 @@ public:
   std::size_t integer(std::size_t position, std::size_t first, std::size_t last) const
   {
     const std::string& word = m_words[position];
-    std::size_t value = 0;
-    for(char c : word) {
-      if(c < '0' || c > '9' || value > (last - std::size_t(c - '0')) / 10)
-        fail("'" + word + "' is not an integer between " + std::to_string(first) + " and " + std::to_string(last));
-      value = 10 * value + std::size_t(c - '0');
-    }
-    if(value < first)
-      fail("'" + word + "' is less than " + std::to_string(first));
+    const bool is_number = word.size() <= 10 && std::all_of(word.begin(), word.end(), [](char c) {
+      return c >= '0' && c <= '9';
+    });
+    const std::size_t value = is_number ? std::size_t(std::stoull(word)) : 0;
+    if(!is_number || value < first || value > last)
+      fail("'" + word + "' is not an integer between " + std::to_string(first) + " and " + std::to_string(last));
     return value;
   }
 

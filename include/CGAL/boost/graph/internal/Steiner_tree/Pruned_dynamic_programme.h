@@ -13,6 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
@@ -102,6 +103,7 @@ class Pruned_dynamic_programme
   std::vector<double> m_lengths, m_completions;
   std::vector<int> m_origins, m_touched;
   std::vector<char> m_is_other_terminal;
+  Separator m_separator;
 
 public:
   Pruned_dynamic_programme(const Csr_graph& graph, const std::vector<int>& terminals,
@@ -119,6 +121,7 @@ public:
     , m_completions(graph.number_of_vertices())
     , m_origins(graph.number_of_vertices())
     , m_is_other_terminal(graph.number_of_vertices(), 0)
+    , m_separator(graph)
   {}
 
   // false if it was stopped by the budget or by `go_further`
@@ -180,7 +183,12 @@ private:
   {
     Table& table = m_tables[index];
     const Set rest = m_all.without(table.set);
-    mark_others(rest, 1);
+    std::vector<int> others;
+    for(int i = 0; i < int(m_terminals.size()); ++i)
+      if(rest.contains(i))
+        others.push_back(m_terminals[i]);
+    for(int t : others)
+      m_is_other_terminal[t] = 1;
     double limit = infinity(); // rule 3, seen from a single other terminal
     const auto relax = [&](int v, double length, int origin) {
       if(!(length < m_lengths[v]))
@@ -213,64 +221,19 @@ private:
     std::vector<State>().swap(table.initial);
 
     if(!table.states.empty()) {
-      limit = (std::min)(limit, separating_distance(rest));
+      limit = (std::min)(limit, m_separator(m_lengths, m_touched, others));
       while(!table.states.empty() && table.states.back().length > limit)
         table.states.pop_back();
     }
     for(int v : m_touched)
       m_lengths[v] = infinity();
     m_touched.clear();
-    mark_others(rest, 0);
+    for(int t : others)
+      m_is_other_terminal[t] = 0;
     std::sort(table.states.begin(), table.states.end(),
               [](const State& a, const State& b) { return a.vertex < b.vertex; });
     for(std::size_t i = 0; i < table.states.size(); ++i)
       count_state();
-  }
-
-  void mark_others(const Set& rest, char value)
-  {
-    for(int i = 0; i < int(m_terminals.size()); ++i)
-      if(rest.contains(i))
-        m_is_other_terminal[m_terminals[i]] = value;
-  }
-
-  // rule 3: adds the vertices in the order of decreasing length until the other terminals are connected
-  double separating_distance(const Set& rest)
-  {
-    const int n = m_graph.number_of_vertices();
-    int missing = rest.size() - 1;
-    if(missing == 0)
-      return infinity(); // the limit from that terminal says it all
-    Disjoint_sets components(n);
-    std::vector<char> holds_terminal(m_is_other_terminal);
-    const auto unite = [&](int v, int w) {
-      v = components.find(v);
-      w = components.find(w);
-      if(v == w)
-        return;
-      components.unite(v, w);
-      if(holds_terminal[v] && holds_terminal[w])
-        --missing;
-      holds_terminal[components.find(v)] = holds_terminal[v] || holds_terminal[w];
-    };
-    for(int v = 0; v < n; ++v)
-      if(m_lengths[v] == infinity())
-        for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i) {
-          const int w = m_graph.arcs[i].target;
-          if(w < v && m_lengths[w] == infinity())
-            unite(v, w);
-        }
-    if(missing == 0)
-      return infinity();
-    std::sort(m_touched.begin(), m_touched.end(), [&](int v, int w) { return m_lengths[v] > m_lengths[w]; });
-    for(int v : m_touched) {
-      for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i)
-        if(m_lengths[m_graph.arcs[i].target] >= m_lengths[v])
-          unite(v, m_graph.arcs[i].target);
-      if(missing == 0)
-        return m_lengths[v];
-    }
-    return 0.;
   }
 
   // merges the states of a table with those of the earlier tables at the same vertices
