@@ -34,6 +34,8 @@ namespace Surface_mesh_cutting {
 /// and sets the number. Both maps are copied into the seam mesh, which also refers to `tmesh`.
 /// Linear in the size of the surface.
 ///
+/// The header of the mesh type has to be included before this one, as for `Seam_mesh` itself.
+///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type

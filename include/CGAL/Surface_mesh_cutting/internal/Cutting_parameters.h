@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUTTING_PARAMETERS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUTTING_PARAMETERS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The map from which the candidates are read.
+enum class Conformal_method { KP_NEWTON, SPECTRAL };
+
+// The parameters of the method (paper, Table 1) and what controls its effort. Lengths are in units
+// of the component's average edge length unless said.
+struct Cutting_parameters
+{
+  double minimum_distortion_decrease = 0.01; // epsilon_iso, of the area-averaged energy
+  double minimum_length_decrease = 0.01;     // epsilon_len, times the bounding box diagonal
+  double minimum_area_ratio = 0.1;           // alpha
+  double influence_threshold = 20;           // beta
+  double forbidden_radius = 10;              // d_n
+  double candidate_radius = 5;               // of the disk around a candidate (Section 3.1.2)
+  Conformal_method conformal_method = Conformal_method::KP_NEWTON;
+  // Whether to stay with the paper: only local maximizers are candidates.
+  bool is_faithful = false;
+  int number_of_starts = 1;
+  unsigned int random_seed = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUTTING_PARAMETERS_H

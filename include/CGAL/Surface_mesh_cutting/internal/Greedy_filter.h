@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_GREEDY_FILTER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_GREEDY_FILTER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/initial_features.h>
+
+#include <algorithm>
+#include <deque>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Chooses among the candidates (paper, Section 3.1.2): one after the other is connected to the cut,
+// and stays if this lowers the distortion by more than epsilon_iso.
+template <typename LinearSolver>
+class Greedy_filter
+{
+public:
+  Greedy_filter(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                const Cutting_parameters& parameters, Run_control& control)
+    : m_mesh(mesh), m_parameters(parameters), m_control(control), m_disks(mesh),
+      m_paths(mesh.graph()), m_map(mesh, shapes, control), m_is_on_cut(mesh.number_of_vertices(), 0)
+  {}
+
+  // False if no flip-free map was found or the run was stopped.
+  bool run(const std::vector<Candidate>& candidates)
+  {
+    const Initial_features initial = initialize_features(m_mesh, candidates, m_parameters, m_disks);
+    m_features = initial.features;
+    for(int e : initial.cut)
+      mark_on_cut(e);
+    if(!m_map.initialize(make_cut(m_mesh, initial.cut)))
+      return false;
+    judge_queue(std::deque<int>(initial.queue.begin(), initial.queue.end()));
+    if(!m_parameters.is_faithful)
+      judge_most_distorted();
+    std::sort(m_features.begin(), m_features.end());
+    return !m_control.is_stopped();
+  }
+
+  const std::vector<int>& features() const { return m_features; }
+  const Running_map<LinearSolver>& map() const { return m_map; }
+
+private:
+  void mark_on_cut(int e)
+  {
+    m_is_on_cut[m_mesh.source(m_mesh.halfedge(e))] = 1;
+    m_is_on_cut[m_mesh.target(m_mesh.halfedge(e))] = 1;
+  }
+
+  void judge_queue(std::deque<int> queue)
+  {
+    const double total = double(queue.size());
+    std::size_t blocked = 0;
+    while(!queue.empty() && m_control.go_further())
+    {
+      m_control.report(Phase::FILTER, 1 - double(queue.size()) / total);
+      int v = queue.front();
+      queue.pop_front();
+      std::vector<int> path;
+      if(find_path(v, m_disks.faces_open_to(v), path))
+        blocked = 0;
+      else if(++blocked <= queue.size())
+      {
+        queue.push_back(v); // its path may open when others are judged
+        continue;
+      }
+      else
+      {
+        // A full turn without progress: the nearest one passes through the disks of others.
+        queue.push_back(v);
+        v = take_nearest(queue, path);
+        blocked = 0;
+      }
+      judge(v, path);
+      m_disks.release(v);
+    }
+  }
+
+  void judge(int v, const std::vector<int>& path)
+  {
+    // A candidate on the cut cannot be judged; it stays, so that what it gains is not lost when the
+    // features are connected in another way.
+    if(path.empty() || m_map.open_if_useful(path, m_parameters.minimum_distortion_decrease))
+    {
+      m_features.push_back(v);
+      for(int e : path)
+        mark_on_cut(e);
+    }
+  }
+
+  // The shortest path from `v` to the cut over the edges of the given faces (none given: all).
+  bool find_path(int v, const std::vector<char>& is_open, std::vector<int>& path)
+  {
+    path.clear();
+    if(m_is_on_cut[v])
+      return true;
+    int end = -1;
+    m_paths.clear();
+    m_paths.add_source(v);
+    const auto is_edge_open = [&](int e)
+    {
+      const int h = m_mesh.halfedge(e), o = m_mesh.opposite(h);
+      return is_open.empty() || is_open[h / 3] || (o >= 0 && is_open[o / 3]);
+    };
+    const auto& arcs = m_mesh.graph().arcs;
+    m_paths.run([&](int w)
+                {
+                  if(!m_is_on_cut[w])
+                    return true;
+                  end = w;
+                  return false;
+                },
+                [&](int a) { return is_edge_open(arcs[a].edge) ? arcs[a].weight : Shortest_paths::infinity(); });
+    if(end < 0)
+      return false;
+    m_paths.path(end, std::back_inserter(path));
+    return true;
+  }
+
+  // Removes from the queue the candidate closest to the cut when disks are ignored.
+  int take_nearest(std::deque<int>& queue, std::vector<int>& path)
+  {
+    m_paths.clear();
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(m_is_on_cut[v])
+        m_paths.add_source(v);
+    int nearest = -1;
+    m_paths.run([&](int w)
+                {
+                  if(std::find(queue.begin(), queue.end(), w) == queue.end())
+                    return true;
+                  nearest = w;
+                  return false;
+                });
+    queue.erase(std::find(queue.begin(), queue.end(), nearest));
+    path.clear();
+    m_paths.path(nearest, std::back_inserter(path));
+    return nearest;
+  }
+
+  // Smooth surfaces have too few local maximizers: once the queue is empty, the most distorted vertex
+  // is proposed under the same test, until one in a row of proposals far from each other passes.
+  void judge_most_distorted()
+  {
+    constexpr int maximum_failures = 3;
+    const double reach = m_parameters.candidate_radius * average_edge_length(m_mesh);
+    std::vector<char> is_excluded = m_is_on_cut;
+    for(int failures = 0; failures < maximum_failures && m_control.go_further();)
+    {
+      const int v = most_distorted_vertex(is_excluded);
+      std::vector<int> path;
+      if(v < 0 || !find_path(v, {}, path))
+        return;
+      const std::size_t before = m_features.size();
+      judge(v, path);
+      if(m_features.size() > before)
+      {
+        failures = 0;
+        for(int w = 0; w < m_mesh.number_of_vertices(); ++w)
+          is_excluded[w] = is_excluded[w] || m_is_on_cut[w];
+      }
+      else
+      {
+        ++failures;
+        exclude_around(v, reach, is_excluded);
+      }
+    }
+  }
+
+  int most_distorted_vertex(const std::vector<char>& is_excluded) const
+  {
+    const std::vector<double> distortion = m_map.vertex_distortion();
+    int best = -1;
+    for(int v = 0; v < int(distortion.size()); ++v)
+      if(!is_excluded[v] && (best < 0 || distortion[v] > distortion[best]))
+        best = v;
+    return best;
+  }
+
+  void exclude_around(int v, double radius, std::vector<char>& is_excluded)
+  {
+    m_paths.clear();
+    m_paths.add_source(v);
+    m_paths.run([&](int w)
+                {
+                  if(m_paths.distance(w) > radius)
+                    return false;
+                  is_excluded[w] = 1;
+                  return true;
+                });
+  }
+
+  const Flat_mesh& m_mesh;
+  const Cutting_parameters& m_parameters;
+  Run_control& m_control;
+  Candidate_disks m_disks;
+  Shortest_paths m_paths;
+  Running_map<LinearSolver> m_map;
+  std::vector<char> m_is_on_cut; // per vertex
+  std::vector<int> m_features;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_GREEDY_FILTER_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CONTROL_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CONTROL_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// the phases of a run, in their order.
+enum class Phase
+{
+  CANDIDATES,  ///< handles, first cuts, conformal maps, candidates (paper, Section 3.1.1)
+  FILTER,      ///< choice among the candidates (Section 3.1.2)
+  CONNECT,     ///< the tree through the feature points (Section 3.2)
+  REFINE,      ///< repair and shortening of the connected cut
+  PARAMETERIZE ///< the final UVs
+};
+
+namespace internal {
+
+// How a run reports to its caller and learns that it has to end. Once ended it stays so.
+class Run_control
+{
+public:
+  Run_control() = default;
+  Run_control(std::function<bool()> go_further, std::function<void(Phase, double)> progress)
+    : m_go_further(std::move(go_further)), m_progress(std::move(progress))
+  {}
+
+  bool go_further()
+  {
+    m_is_stopped = m_is_stopped || (m_go_further && !m_go_further());
+    return !m_is_stopped;
+  }
+  bool is_stopped() const { return m_is_stopped; }
+
+  // `fraction` of the phase that is done, 0 at its start.
+  void report(Phase phase, double fraction)
+  {
+    if(m_progress)
+      m_progress(phase, fraction);
+  }
+
+private:
+  std::function<bool()> m_go_further;
+  std::function<void(Phase, double)> m_progress;
+  bool m_is_stopped = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CONTROL_H

@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUNNING_MAP_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUNNING_MAP_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/candidates.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+using Surface_mesh_parameterization::internal::Newton_solver;
+using Surface_mesh_parameterization::internal::Newton_state;
+using Surface_mesh_parameterization::internal::area_weights;
+
+// The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
+// stays flip-free and keeps its energy, so that every solve starts warm.
+template <typename LinearSolver>
+class Running_map
+{
+public:
+  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control)
+    : m_mesh(mesh), m_shapes(shapes), m_weights(area_weights(shapes)), m_control(control),
+      m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
+  {}
+
+  // Starts anew from a cut that leaves one disk; false if no flip-free map was found or the run was
+  // stopped.
+  bool initialize(const Cut& cut)
+  {
+    m_cut = cut;
+    m_chart = make_chart(m_mesh, cut);
+    Chart_parameterizer<LinearSolver> parameterizer(m_chart, chart_points(m_mesh, m_chart), m_shapes);
+    const Newton_result result = parameterizer.isometric_map(m_uv, options());
+    m_energy = result.energy;
+    return result.outcome != Newton_outcome::FAILED && !m_control.is_stopped();
+  }
+
+  const Cut& cut() const { return m_cut; }
+  const Chart& chart() const { return m_chart; }
+  const std::vector<Eigen::Vector2d>& uv() const { return m_uv; }
+  double energy() const { return m_energy; } // area-averaged, converged
+
+  // Opens the slit if this lowers the energy by more than `threshold`, and converges; otherwise the
+  // state is as before. `slit` holds edges.
+  bool open_if_useful(const std::vector<int>& slit, double threshold)
+  {
+    std::vector<int> halfedges;
+    for(int e : slit)
+      halfedges.push_back(m_mesh.halfedge(e));
+    const std::vector<Eigen::Vector2d> former_uv = m_uv;
+    const Chart::Opening opening = m_chart.open(halfedges);
+    m_uv.resize(m_chart.number_of_vertices());
+    for(const auto& [corner, former] : opening.corners)
+      m_uv[m_chart.source(corner)] = former_uv[former];
+
+    if(is_useful(slit, threshold) && !m_control.is_stopped())
+    {
+      for(int e : slit)
+        m_cut[e] = 1;
+      m_energy = solve(options()).energy;
+      return true;
+    }
+    m_chart.close(opening);
+    m_uv = former_uv;
+    return false;
+  }
+
+  // The distortion of each surface vertex (paper, Equation (3)).
+  std::vector<double> vertex_distortion() const
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    return vertex_averages(m_shapes, m_mesh.triangles(),
+                           face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart.triangles(), m_uv),
+                           m_mesh.number_of_vertices());
+  }
+
+private:
+  Newton_options options()
+  {
+    Newton_options o;
+    o.stop = [this](const Newton_state&) { return !m_control.go_further(); };
+    return o;
+  }
+
+  // Decides from windows around the slit that grow until the answer is clear, then from the whole
+  // chart. What a window gains with the rest held fixed is a part of the full gain. How small a part
+  // at most was measured: with twice the length of the slit it was never below 0.3, so that a gain
+  // below a fifth of the threshold rejects, and a third with the next window.
+  bool is_useful(const std::vector<int>& slit, double threshold)
+  {
+    struct Window { double radius, largest_factor; };
+    constexpr Window windows[] = {{1, 20}, {2, 5}, {4, 3}};
+    double length = 0, gain = 0;
+    for(int e : slit)
+      length += m_mesh.length(e);
+    for(const Window& window : windows)
+    {
+      if(!collect_window(slit, window.radius * length))
+        break;
+      gain += solve_window(threshold, gain);
+      if(gain > threshold || m_control.is_stopped())
+        return true;
+      if(window.largest_factor * gain < threshold)
+        return false;
+    }
+    return is_globally_useful(threshold);
+  }
+
+  // The Newton decrement estimates twice the gain that is left; far from convergence it is too small,
+  // hence the factor.
+  bool is_globally_useful(double threshold)
+  {
+    constexpr double caution = 2;
+    const double target = m_energy - threshold;
+    bool is_decided = false, is_useful = false;
+    Newton_options o;
+    o.stop = [&](const Newton_state& s)
+    {
+      is_useful = s.energy < target;
+      is_decided = is_useful || s.energy - caution * s.decrement > target || !m_control.go_further();
+      return is_decided;
+    };
+    const Newton_result result = solve(o);
+    return is_decided ? is_useful : result.energy < target;
+  }
+
+  Newton_result solve(const Newton_options& o)
+  {
+    Newton_solver<LinearSolver> solver(m_chart.triangles(), m_chart.number_of_vertices());
+    return solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_uv, o);
+  }
+
+  // Finds the triangles that touch the window: the vertices within `radius` of the slit are free, all
+  // others fixed. False if the window is no longer small against the chart.
+  bool collect_window(const std::vector<int>& slit, double radius)
+  {
+    constexpr double largest_share = 0.25;
+    const std::size_t largest = std::size_t(largest_share * m_mesh.number_of_faces());
+    m_reach.clear();
+    for(int e : slit)
+    {
+      m_reach.add_source(m_mesh.source(m_mesh.halfedge(e)));
+      m_reach.add_source(m_mesh.target(m_mesh.halfedge(e)));
+    }
+    std::vector<int> faces;
+    m_reach.run([&](int v)
+                {
+                  if(m_reach.distance(v) > radius || faces.size() > 6 * largest)
+                    return false;
+                  for(int a = m_mesh.graph().offsets[v]; a < m_mesh.graph().offsets[v + 1]; ++a)
+                  {
+                    const int h = m_mesh.halfedge(m_mesh.graph().arcs[a].edge), o = m_mesh.opposite(h);
+                    faces.push_back(h / 3);
+                    if(o >= 0)
+                      faces.push_back(o / 3);
+                  }
+                  return true;
+                });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    m_window = std::move(faces);
+    m_radius = radius;
+    return m_window.size() <= largest;
+  }
+
+  // Solves the window with the rest held fixed; returns the gain. Ends as soon as the total gain is
+  // above the threshold.
+  double solve_window(double threshold, double gain_so_far)
+  {
+    std::vector<Triangle> triangles;
+    std::vector<Rest_shape> shapes;
+    std::vector<double> weights;
+    std::vector<int> vertices;
+    std::vector<char> is_fixed;
+    m_local_vertex.resize(m_chart.number_of_vertices(), -1);
+    for(int f : m_window)
+    {
+      Triangle local;
+      for(int k = 0; k < 3; ++k)
+      {
+        const int v = m_chart.triangles()[f][k];
+        if(m_local_vertex[v] < 0)
+        {
+          m_local_vertex[v] = int(vertices.size());
+          vertices.push_back(v);
+          is_fixed.push_back(!(m_reach.distance(m_chart.origins()[v]) <= m_radius));
+        }
+        local[k] = m_local_vertex[v];
+      }
+      triangles.push_back(local);
+      shapes.push_back(m_shapes[f]);
+      weights.push_back(m_weights[f]);
+    }
+    std::vector<Eigen::Vector2d> uv;
+    for(int v : vertices)
+    {
+      uv.push_back(m_uv[v]);
+      m_local_vertex[v] = -1;
+    }
+
+    Newton_solver<LinearSolver> solver(std::move(triangles), int(vertices.size()), std::move(is_fixed));
+    const double before = solver.template energy<Symmetric_Dirichlet_energy>(shapes, weights, uv);
+    Newton_options o;
+    o.stop = [&](const Newton_state& s)
+    {
+      return gain_so_far + before - s.energy > threshold || s.decrement < 0.01 * threshold ||
+             !m_control.go_further();
+    };
+    const Newton_result result = solver.template minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      m_uv[vertices[i]] = uv[i];
+    return before - result.energy;
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Rest_shape>& m_shapes;
+  std::vector<double> m_weights;
+  Run_control& m_control;
+  Cut m_cut;
+  Chart m_chart;
+  std::vector<Eigen::Vector2d> m_uv;
+  double m_energy = 0;
+
+  // The window in work.
+  Shortest_paths m_reach;
+  std::vector<int> m_window; // faces
+  double m_radius = 0;
+  std::vector<int> m_local_vertex;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUNNING_MAP_H

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CANDIDATES_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CANDIDATES_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+using Surface_mesh_parameterization::internal::Chart_parameterizer;
+using Surface_mesh_parameterization::internal::Newton_options;
+using Surface_mesh_parameterization::internal::Newton_outcome;
+using Surface_mesh_parameterization::internal::Newton_result;
+using Surface_mesh_parameterization::internal::Rest_shape;
+using Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy;
+
+// A local maximizer of the distortion and its scope of influence (paper, Section 3.1.1).
+struct Candidate
+{
+  int vertex;
+  double scope;
+};
+
+inline std::vector<Point> chart_points(const Flat_mesh& mesh, const Chart& chart)
+{
+  std::vector<Point> points;
+  points.reserve(chart.number_of_vertices());
+  for(int v : chart.origins())
+    points.push_back(mesh.point(v));
+  return points;
+}
+
+// The isometric distortion of an as-conformal-as-possible map of the surface opened along `cut`, per
+// vertex (paper, Equation (3)). Empty if no flip-free map was found or the run was stopped.
+template <typename LinearSolver>
+std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                     const Cut& cut, Run_control& control)
+{
+  const Chart chart = make_chart(mesh, cut);
+  Chart_parameterizer<LinearSolver> parameterizer(chart, chart_points(mesh, chart), shapes);
+  Newton_options options;
+  options.decrement = 1e-5;
+  options.stop = [&](const auto&) { return !control.go_further(); };
+  std::vector<Eigen::Vector2d> uv;
+  if(parameterizer.conformal_map(uv, options).outcome == Newton_outcome::FAILED || control.is_stopped())
+    return {};
+  using namespace Surface_mesh_parameterization::internal;
+  return vertex_averages(shapes, mesh.triangles(),
+                         face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv),
+                         mesh.number_of_vertices());
+}
+
+// The vertices with no larger value next to them, one (the lowest) for each plateau. O(n).
+inline std::vector<int> local_maximizers(const Flat_mesh& mesh, const std::vector<double>& values)
+{
+  std::vector<int> maximizers, plateau;
+  std::vector<char> is_visited(values.size(), 0);
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    if(is_visited[v] || mesh.is_isolated(v))
+      continue;
+    bool is_maximal = true;
+    plateau.assign(1, v);
+    is_visited[v] = 1;
+    for(std::size_t i = 0; i < plateau.size(); ++i)
+      for(int a = mesh.graph().offsets[plateau[i]]; a < mesh.graph().offsets[plateau[i] + 1]; ++a)
+      {
+        const int w = mesh.graph().arcs[a].target;
+        is_maximal = is_maximal && values[w] <= values[v];
+        if(values[w] == values[v] && !is_visited[w])
+        {
+          is_visited[w] = 1;
+          plateau.push_back(w);
+        }
+      }
+    if(is_maximal)
+      maximizers.push_back(v);
+  }
+  return maximizers;
+}
+
+// The distance to the closest vertex with a larger value, infinite for the maximum. The search ends
+// as soon as it meets one.
+inline std::vector<Candidate> scopes_of_influence(const Flat_mesh& mesh, const std::vector<double>& values,
+                                                  const std::vector<int>& maximizers)
+{
+  Shortest_paths paths(mesh.graph());
+  std::vector<Candidate> candidates;
+  for(int v : maximizers)
+  {
+    double scope = std::numeric_limits<double>::infinity();
+    paths.clear();
+    paths.add_source(v);
+    paths.run([&](int w)
+              {
+                if(!(values[w] > values[v]))
+                  return true;
+                scope = paths.distance(w);
+                return false;
+              });
+    candidates.push_back({v, scope});
+  }
+  return candidates;
+}
+
+// The faces farther from `centers` than `radius`, their largest connected part by area. The return
+// value is that area; all faces if none is near.
+inline double largest_remote_part(const Flat_mesh& mesh, const Shortest_paths& from_centers, double radius,
+                                  std::vector<char>& is_in_part)
+{
+  const auto is_near = [&](int f)
+  {
+    const Triangle& t = mesh.triangles()[f];
+    return std::all_of(t.begin(), t.end(), [&](int v) { return from_centers.distance(v) < radius; });
+  };
+  is_in_part.assign(mesh.number_of_faces(), 0);
+  std::vector<char> is_visited(mesh.number_of_faces(), 0);
+  std::vector<int> part, largest;
+  double largest_area = -1;
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    if(is_visited[f] || is_near(f))
+      continue;
+    double area = 0;
+    part.assign(1, f);
+    is_visited[f] = 1;
+    for(std::size_t i = 0; i < part.size(); ++i)
+    {
+      area += mesh.face_area(part[i]);
+      for(int k = 0; k < 3; ++k)
+      {
+        const int o = mesh.opposite(3 * part[i] + k);
+        if(o >= 0 && !is_visited[o / 3] && !is_near(o / 3))
+        {
+          is_visited[o / 3] = 1;
+          part.push_back(o / 3);
+        }
+      }
+    }
+    if(area > largest_area)
+    {
+      largest_area = area;
+      largest.swap(part);
+    }
+  }
+  for(int f : largest)
+    is_in_part[f] = 1;
+  return largest_area;
+}
+
+// The second cut (paper, Section 3.1.1, Steps 3 to 6): far from the first one and its maximizers. The
+// forbidden region shrinks until the largest part outside holds `minimum_area_ratio` of the area
+// and a path of useful length.
+inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>& first_cut,
+                                   const std::vector<int>& first_maximizers, const Cutting_parameters& parameters)
+{
+  constexpr double shrinking = 0.9, useful_length = 0.1;
+  Shortest_paths from_centers(mesh.graph());
+  double first_length = 0, area = 0;
+  for(int e : first_cut)
+  {
+    first_length += mesh.length(e);
+    from_centers.add_source(mesh.source(mesh.halfedge(e)));
+    from_centers.add_source(mesh.target(mesh.halfedge(e)));
+  }
+  for(int v : first_maximizers)
+    from_centers.add_source(v);
+  from_centers.run();
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    area += mesh.face_area(f);
+
+  const double average = average_edge_length(mesh);
+  std::vector<char> is_in_part;
+  double radius = parameters.forbidden_radius * average;
+  while(true)
+  {
+    if(largest_remote_part(mesh, from_centers, radius, is_in_part) >= parameters.minimum_area_ratio * area)
+    {
+      const int start = mesh.triangles()[std::find(is_in_part.begin(), is_in_part.end(), char(1))
+                                         - is_in_part.begin()][0];
+      const std::vector<int> path = farthest_pair_path(mesh, start, edges_of_faces(mesh, is_in_part));
+      double length = 0;
+      for(int e : path)
+        length += mesh.length(e);
+      if((path.size() > 1 && length >= useful_length * first_length) || radius == 0)
+        return path;
+    }
+    radius = radius > 0.01 * average ? shrinking * radius : 0;
+  }
+}
+
+// The redundant set of candidates by the dual cutting strategy (paper, Section 3.1.1). Empty if a
+// map failed or the run was stopped.
+template <typename LinearSolver>
+std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                       int start, const Cutting_parameters& parameters, Run_control& control)
+{
+  const std::vector<int> first = farthest_pair_path(mesh, start);
+  const std::vector<double> first_distortion
+    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, first), control);
+  control.report(Phase::CANDIDATES, 0.5);
+  if(first_distortion.empty())
+    return {};
+  const std::vector<int> second = second_cut(mesh, first, local_maximizers(mesh, first_distortion), parameters);
+  std::vector<double> distortion = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, second), control);
+  control.report(Phase::CANDIDATES, 1);
+  if(control.is_stopped())
+    return {};
+  if(distortion.empty())
+    distortion = first_distortion;
+  return scopes_of_influence(mesh, distortion, local_maximizers(mesh, distortion));
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CANDIDATES_H
