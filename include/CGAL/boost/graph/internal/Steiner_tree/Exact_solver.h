@@ -45,6 +45,7 @@ class Exact_solver
   Tree m_best;
   double m_lower_bound = 0.;
   bool m_is_optimal = false;
+  int m_last_root = 0, m_best_root = 0;
 
 public:
   Exact_solver(const Csr_graph& graph, const std::vector<int>& terminals, std::size_t maximum_number_of_states,
@@ -87,18 +88,24 @@ private:
       Key_points points(graph, m_instance.terminals(), ConcurrencyTag());
       improve(local_search(points, tolerance * m_best.length, ConcurrencyTag(), m_go_further));
     }
-    for(int root = 1; m_go_further(); ++root) {
+    // the programme with few states first; if these do not suffice, more effort for reductions pays
+    if(reduce_repeatedly(1, 0.7) && !search(m_maximum_number_of_states / 200) && m_go_further() &&
+       reduce_repeatedly(4, 0.98))
+      search(m_maximum_number_of_states);
+  }
+
+  // with different roots, at least `minimum_number_of_rounds` times and then as long as a round leaves at most
+  // `maximum_ratio` of the edges; false if no tree is shorter
+  bool reduce_repeatedly(int minimum_number_of_rounds, double maximum_ratio)
+  {
+    for(int round = 0; m_go_further(); ++round) {
       const int size = m_instance.graph().number_of_edges();
-      if(!reduce(root))
-        return;
-      if(m_instance.graph().number_of_edges() > 0.7 * size)
+      if(!reduce(++m_last_root))
+        return false;
+      if(round + 1 >= minimum_number_of_rounds && m_instance.graph().number_of_edges() > maximum_ratio * size)
         break;
     }
-    const std::size_t k = m_instance.terminals().size();
-    if(k <= Terminal_set<1>::capacity)
-      search<1>();
-    else if(k <= Terminal_set<4>::capacity)
-      search<4>();
+    return true;
   }
 
   // removes from the instance what no shorter tree can use; false if no tree is shorter
@@ -108,7 +115,10 @@ private:
     const std::vector<int>& terminals = m_instance.terminals();
     const Dual_ascent dual(graph, terminals, root % int(terminals.size()));
     const double fixed = fixed_length();
-    m_lower_bound = (std::max)(m_lower_bound, fixed + dual.bound());
+    if(fixed + dual.bound() > m_lower_bound) {
+      m_lower_bound = fixed + dual.bound();
+      m_best_root = root;
+    }
 
     // trees along the arcs that the dual solution has used up are often short
     improve(shortest_path_heuristic(graph, terminals, terminals[dual.root()], [&](int i) {
@@ -131,18 +141,28 @@ private:
     return false;
   }
 
+  // false if it was stopped
+  bool search(std::size_t maximum_number_of_states)
+  {
+    const std::size_t k = m_instance.terminals().size();
+    return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1>(maximum_number_of_states)
+           : k <= Terminal_set<4>::capacity ? search_with_sets_of<4>(maximum_number_of_states)
+                                            : false;
+  }
+
   template <int Words>
-  void search()
+  bool search_with_sets_of(std::size_t maximum_number_of_states)
   {
     const Csr_graph& graph = m_instance.graph();
     const std::vector<int>& terminals = m_instance.terminals();
-    const Dual_ascent dual(graph, terminals, 0);
+    const Dual_ascent dual(graph, terminals, m_best_root % int(terminals.size()));
     const Completion_bound<Words> bound(dual);
     Pruned_dynamic_programme<Words> programme(graph, terminals, bound, cut() - fixed_length(),
-                                              m_maximum_number_of_states);
+                                              maximum_number_of_states);
     m_is_optimal = programme.run(m_go_further);
     if(programme.has_found_tree())
       improve(programme.tree());
+    return m_is_optimal;
   }
 
   static bool are_connected(const Csr_graph& graph, const std::vector<int>& terminals,
