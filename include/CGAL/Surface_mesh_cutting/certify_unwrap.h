@@ -18,20 +18,25 @@
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
+#include <Eigen/Core>
+
+#include <vector>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// proves that a surface is unwrapped: opened along the marked edges it consists of topological disks;
-/// all UVs are finite; the corners at a vertex that are not separated by the cut have the same UV;
-/// and each triangle is mapped to a strictly counterclockwise one.
-/// If asked for, also that the map is injective up to contact: that the images of any two triangles have
-/// disjoint interiors, be they in the same chart or in different ones. Borders of charts may touch, and
-/// the two sides of a cut may lie on top of each other.
+/// proves that a surface is unwrapped: opened along the marked edges it consists of topological
+/// disks; all UVs are finite; the corners at a vertex that are not separated by the cut have the
+/// same UV; and each triangle is mapped to a strictly counterclockwise one. If asked for, also that
+/// the map is injective up to contact: that the images of any two triangles have disjoint
+/// interiors, be they in the same chart or in different ones. Borders of charts may touch, and the
+/// two sides of a cut may lie on top of each other.
 ///
-/// All decisions are exact: they are made by the predicates of `Exact_predicates_inexact_constructions_kernel`
-/// on the given coordinates, never with a tolerance. Coordinates are converted to `double`.
+/// All decisions are exact: they are made by the predicates of
+/// `Exact_predicates_inexact_constructions_kernel` on the given coordinates, never with a
+/// tolerance. Coordinates are converted to `double`.
 ///
 /// Linear in the size of the surface; the test of injectivity takes
 /// \f$ O(n + (b + k) \log b) \f$ time for \f$ b \f$ edges on the borders of charts with \f$ k \f$
@@ -39,16 +44,19 @@ namespace Surface_mesh_cutting {
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
+///         type
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as value type
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as
+///         value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param edge_is_cut_map marks the edges of the cut; marks on border edges are ignored
-/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner of
-///        `face(h, tmesh)` at `target(h, tmesh)`
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+///        of `face(h, tmesh)` at `target(h, tmesh)`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{do_bijective}
@@ -65,12 +73,13 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `Status_code::OK`; or `Status_code::NOT_CUT_TO_DISKS` with all faces of one part that is not a disk;
-///         or `Status_code::NOT_CERTIFIED` with a message that counts what is wrong, and the faces concerned:
-///         those with an invalid UV, those that are not counterclockwise, the two at each overlap of borders,
-///         and one of each chart that lies on another one;
-///         or, for a surface that the package does not take, `Status_code::EMPTY_MESH`,
-///         `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or `Status_code::INVALID_POINT`.
+/// \return `Status_code::OK`; or `Status_code::NOT_CUT_TO_DISKS` with all faces of one part that is
+///         not a disk; or `Status_code::NOT_CERTIFIED` with a message that counts what is wrong,
+///         and the faces concerned: those with an invalid UV, those that are not counterclockwise,
+///         the two at each overlap of borders, and one of each chart that lies on another one; or,
+///         for a surface that the package does not take, `Status_code::EMPTY_MESH`,
+///         `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
+///         `Status_code::INVALID_POINT`.
 ///
 /// \sa `unwrap()`
 /// \sa `is_cut_to_disks()`
@@ -92,10 +101,13 @@ Status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge
   internal::Flat_status status = adapter.status();
   if(!status)
     return adapter.translate(status);
-  const internal::Chart chart = internal::make_chart(adapter.mesh(), adapter.read_cut(edge_is_cut_map));
+  const internal::Cut cut = adapter.read_cut(edge_is_cut_map);
+  const internal::Chart chart = internal::make_chart(adapter.mesh(), cut);
   status.finding = internal::check_disks(chart).finding;
-  if(status)
-    status.finding = internal::certify_corners(chart, adapter.read_uvs(halfedge_uv_map), do_bijective).status().finding;
+  if(!status)
+    return adapter.translate(status);
+  const std::vector<Eigen::Vector2d> uvs = adapter.read_uvs(halfedge_uv_map);
+  status.finding = internal::certify_corners(chart, uvs, do_bijective).status().finding;
   return adapter.translate(status);
 }
 

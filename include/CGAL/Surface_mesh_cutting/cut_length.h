@@ -34,12 +34,14 @@ namespace Surface_mesh_cutting {
 ///
 /// \tparam TriangleMesh a model of `EdgeListGraph` and `HalfedgeGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
+///         type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param edge_is_cut_map marks the edges of the cut
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}

@@ -28,12 +28,14 @@ namespace Surface_mesh_cutting {
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
+///         type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param edge_is_cut_map marks the edges of the cut; marks on border edges are ignored
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -45,9 +47,10 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `Status_code::OK`; or `Status_code::NOT_CUT_TO_DISKS` with all faces of one part that is not a disk;
-///         or, for a surface that the package does not take, `Status_code::EMPTY_MESH`,
-///         `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or `Status_code::INVALID_POINT`.
+/// \return `Status_code::OK`; or `Status_code::NOT_CUT_TO_DISKS` with all faces of one part that is
+///         not a disk; or, for a surface that the package does not take, `Status_code::EMPTY_MESH`,
+///         `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
+///         `Status_code::INVALID_POINT`.
 ///
 /// \sa `certify_unwrap()`
 template <typename TriangleMesh, typename EdgeIsCutMap,
@@ -62,9 +65,12 @@ Status<TriangleMesh> is_cut_to_disks(const TriangleMesh& tmesh, EdgeIsCutMap edg
   const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
+
   internal::Flat_status status = adapter.status();
-  if(status)
-    status.finding = internal::check_disks(internal::make_chart(adapter.mesh(), adapter.read_cut(edge_is_cut_map))).finding;
+  if(!status)
+    return adapter.translate(status);
+  const internal::Cut cut = adapter.read_cut(edge_is_cut_map);
+  status.finding = internal::check_disks(internal::make_chart(adapter.mesh(), cut)).finding;
   return adapter.translate(status);
 }
 

@@ -26,11 +26,11 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// opens a surface along a cut: makes the `CGAL::Seam_mesh` whose seams are the marked edges. Border
-/// edges are open anyway and do not become seams.
+/// opens a surface along a cut: makes the `CGAL::Seam_mesh` whose seams are the marked edges.
+/// Border edges are open anyway and do not become seams.
 ///
-/// The constructor of `Seam_mesh` takes the marks as they are and needs to be told the number of seam
-/// edges; this function fills both maps for all edges and vertices, whatever they hold before,
+/// The constructor of `Seam_mesh` takes the marks as they are and needs to be told the number of
+/// seam edges; this function fills both maps for all edges and vertices, whatever they hold before,
 /// and sets the number. Both maps are copied into the seam mesh, which also refers to `tmesh`.
 /// Linear in the size of the surface.
 ///
@@ -38,11 +38,14 @@ namespace Surface_mesh_cutting {
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
+///         type
 /// \tparam SeamEdgeMap a model of `ReadWritePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
+///         type
 /// \tparam SeamVertexMap a model of `ReadWritePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value
+///         type
 ///
 /// \param tmesh the surface
 /// \param edge_is_cut_map marks the edges of the cut
@@ -52,7 +55,8 @@ namespace Surface_mesh_cutting {
 /// \return the surface, open along the cut
 ///
 /// \sa `CGAL::Surface_mesh_parameterization::parameterize()`
-template <typename TriangleMesh, typename EdgeIsCutMap, typename SeamEdgeMap, typename SeamVertexMap>
+template <typename TriangleMesh, typename EdgeIsCutMap,
+          typename SeamEdgeMap, typename SeamVertexMap>
 Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVertexMap>
 make_seam_mesh(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
                SeamEdgeMap seam_edge_map, SeamVertexMap seam_vertex_map)
@@ -72,7 +76,8 @@ make_seam_mesh(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
     put(seam_vertex_map, target(e, tmesh), true);
     ++number_of_seams;
   }
-  Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVertexMap> seam_mesh(tmesh, seam_edge_map, seam_vertex_map);
+  Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVertexMap>
+    seam_mesh(tmesh, seam_edge_map, seam_vertex_map);
   seam_mesh.set_seam_edges_number(number_of_seams);
   return seam_mesh;
 }
@@ -83,7 +88,8 @@ make_seam_mesh(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
+///         type
 ///
 /// \param tmesh the surface
 /// \param edge_is_cut_map marks the edges of the cut
@@ -94,14 +100,14 @@ template <typename TriangleMesh, typename EdgeIsCutMap>
 Seam_mesh<TriangleMesh, unspecified_type, unspecified_type>
 #else
 Seam_mesh<TriangleMesh,
-          typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<bool> >::const_type,
-          typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<bool> >::const_type>
+          typename boost::property_map<TriangleMesh, dynamic_edge_property_t<bool> >::const_type,
+          typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<bool> >::const_type>
 #endif
 make_seam_mesh(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map)
 {
   return make_seam_mesh(tmesh, edge_is_cut_map,
-                        get(CGAL::dynamic_edge_property_t<bool>(), tmesh),
-                        get(CGAL::dynamic_vertex_property_t<bool>(), tmesh));
+                        get(dynamic_edge_property_t<bool>(), tmesh),
+                        get(dynamic_vertex_property_t<bool>(), tmesh));
 }
 
 } // namespace Surface_mesh_cutting

@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
@@ -35,6 +37,8 @@ struct Cutting_parameters
   // Whether to stay with the paper: only local maximizers are candidates.
   bool is_faithful = false;
   int number_of_starts = 1;
+  // How the feature points are connected; its decrease is epsilon_len as a length.
+  CGAL::internal::Steiner_tree::Options connection;
   unsigned int random_seed = 0;
 };
 

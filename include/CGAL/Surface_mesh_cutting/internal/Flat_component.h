@@ -142,7 +142,8 @@ inline std::vector<Flat_component> split_into_components(Flat_mesh whole)
   std::vector<std::vector<int> > faces(parts.number);
   for(int f = 0; f < whole.number_of_faces(); ++f)
     faces[parts.part[f]].push_back(f);
-  std::vector<int> new_vertex(whole.number_of_vertices()), new_halfedge(whole.number_of_halfedges());
+  std::vector<int> new_vertex(whole.number_of_vertices());
+  std::vector<int> new_halfedge(whole.number_of_halfedges());
   for(int i = 0; i < parts.number; ++i)
   {
     components.push_back(make_component(whole, std::move(faces[i]), new_vertex, new_halfedge));

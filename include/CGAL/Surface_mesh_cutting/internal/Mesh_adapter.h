@@ -38,12 +38,13 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The boundary between the caller's mesh and the flat arrays: checks the mesh, copies it, and carries
-// cuts, UVs and findings to and fro. Vertices and faces are numbered by their positions in
-// `vertices(tmesh)` and `faces(tmesh)`; corner 0 of a face is the source of its `halfedge(f, tmesh)`.
+// The boundary between the caller's mesh and the flat arrays: checks the mesh, copies it, and
+// carries cuts, UVs and findings to and fro. Vertices and faces are numbered by their positions in
+// `vertices(tmesh)` and `faces(tmesh)`; corner 0 of a face is the source of its `halfedge(f,
+// tmesh)`.
 //
-// The flat mesh is scaled by a power of two, which loses no bit, to an extent of about one: products of
-// lengths then neither overflow nor underflow.
+// The flat mesh is scaled by a power of two, which loses no bit, to an extent of about one:
+// products of lengths then neither overflow nor underflow.
 template <typename TriangleMesh, typename VertexPointMap>
 class Mesh_adapter
 {
@@ -105,8 +106,8 @@ public:
       put(edge_is_cut_map, to_edge(e), bool(cut[e]));
   }
 
-  // The UV of each corner, in the order of the flat halfedges that start there. The map holds the UV of
-  // a corner at the halfedge of its face that leads to it.
+  // The UV of each corner, in the order of the flat halfedges that start there. The map holds the
+  // UV of a corner at the halfedge of its face that leads to it.
   template <typename HalfedgeUVMap>
   std::vector<Eigen::Vector2d> read_uvs(HalfedgeUVMap halfedge_uv_map) const
   {
@@ -162,6 +163,8 @@ private:
 
   Flat_status read_points(VertexPointMap vpm, std::vector<Point>& points)
   {
+    points.reserve(num_vertices(m_tmesh));
+    m_vertices.reserve(num_vertices(m_tmesh));
     std::vector<int> invalid;
     for(vertex_descriptor v : vertices(m_tmesh))
     {
@@ -172,7 +175,8 @@ private:
       m_vertices.push_back(v);
     }
     if(!invalid.empty())
-      return Flat_status(Status_code::INVALID_POINT, "vertices with a coordinate that is infinite or not a number",
+      return Flat_status(Status_code::INVALID_POINT,
+                         "vertices with a coordinate that is infinite or not a number",
                          Element_kind::VERTEX, std::move(invalid));
     return Flat_status();
   }
@@ -183,6 +187,9 @@ private:
     for(std::size_t v = 0; v < m_vertices.size(); ++v)
       put(index, m_vertices[v], int(v));
 
+    triangles.reserve(num_faces(m_tmesh));
+    m_faces.reserve(num_faces(m_tmesh));
+    m_halfedges.reserve(3 * num_faces(m_tmesh));
     std::vector<int> other;
     for(face_descriptor f : faces(m_tmesh))
     {
@@ -203,20 +210,23 @@ private:
       triangles.push_back(t);
     }
     if(!other.empty())
-      return Flat_status(Status_code::NOT_TRIANGULATED, "faces that do not have three different vertices",
+      return Flat_status(Status_code::NOT_TRIANGULATED,
+                         "faces that do not have three different vertices",
                          Element_kind::FACE, std::move(other));
     if(m_faces.empty())
       return Flat_status(Status_code::EMPTY_MESH, "the mesh has no face");
     return Flat_status();
   }
 
-  Flat_status read_opposites(const std::vector<Triangle>& triangles, std::vector<int>& opposites) const
+  Flat_status read_opposites(const std::vector<Triangle>& triangles,
+                             std::vector<int>& opposites) const
   {
     auto index = get(CGAL::dynamic_halfedge_property_t<int>(), m_tmesh);
     for(std::size_t h = 0; h < m_halfedges.size(); ++h)
       put(index, m_halfedges[h], int(h));
 
     const auto corner = [&triangles](int h) { return triangles[h / 3][h % 3]; };
+    opposites.reserve(m_halfedges.size());
     std::vector<int> misfits;
     for(int h = 0; h < int(m_halfedges.size()); ++h)
     {
@@ -227,7 +237,8 @@ private:
         misfits.push_back(h / 3);
     }
     if(!misfits.empty())
-      return Flat_status(Status_code::NON_MANIFOLD, "faces whose neighbors do not refer back to them",
+      return Flat_status(Status_code::NON_MANIFOLD,
+                         "faces whose neighbors do not refer back to them",
                          Element_kind::FACE, std::move(misfits));
     return Flat_status();
   }

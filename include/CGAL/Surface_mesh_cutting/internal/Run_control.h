@@ -14,23 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Visitor.h>
+
 #include <functional>
 #include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
-
-/// \ingroup PkgSurfaceMeshCuttingRef
-///
-/// the phases of a run, in their order.
-enum class Phase
-{
-  CANDIDATES,  ///< handles, first cuts, conformal maps, candidates (paper, Section 3.1.1)
-  FILTER,      ///< choice among the candidates (Section 3.1.2)
-  CONNECT,     ///< the tree through the feature points (Section 3.2)
-  REFINE,      ///< repair and shortening of the connected cut
-  PARAMETERIZE ///< the final UVs
-};
 
 namespace internal {
 

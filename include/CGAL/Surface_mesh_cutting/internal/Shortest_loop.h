@@ -118,7 +118,7 @@ private:
     }
     if(best.edge < 0)
       return false;
-    m_loop = extract(best.edge);
+    m_loop = extract(best);
     return true;
   }
 
@@ -149,25 +149,25 @@ private:
   }
 
   // The cycle that the edge closes in the tree; what the paths to its two ends share is left out.
-  Loop extract(int edge) const
+  Loop extract(const Closure& closure) const
   {
     std::vector<int> forth, back;
-    m_paths.path(m_graph.edges[edge].source, std::back_inserter(forth));
-    m_paths.path(m_graph.edges[edge].target, std::back_inserter(back));
-    int start = m_graph.edges[edge].source;
+    int start = m_graph.edges[closure.edge].source;
+    m_paths.path(start, std::back_inserter(forth));
+    m_paths.path(m_graph.edges[closure.edge].target, std::back_inserter(back));
+    double weight = closure.weight;
     while(!forth.empty() && !back.empty() && forth.back() == back.back())
     {
+      weight -= 2 * m_graph.edges[forth.back()].weight;
       forth.pop_back();
       back.pop_back();
     }
     for(int e : forth)
       start = m_graph.opposite(e, start);
-    Loop loop{0., start, {}};
+    Loop loop{weight, start, {}};
     loop.edges.assign(forth.rbegin(), forth.rend());
-    loop.edges.push_back(edge);
+    loop.edges.push_back(closure.edge);
     loop.edges.insert(loop.edges.end(), back.begin(), back.end());
-    for(int e : loop.edges)
-      loop.weight += m_graph.edges[e].weight;
     return loop;
   }
 

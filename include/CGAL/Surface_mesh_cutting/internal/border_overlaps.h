@@ -31,19 +31,21 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Decides exactly whether the interiors of the parts of a flat, flip-free chart are disjoint and each
-// covers the plane at most once.
+// Decides exactly whether the interiors of the parts of a flat, flip-free chart are disjoint and
+// each covers the plane at most once.
 //
-// This holds iff nowhere on the borders the surface at the left of one border reaches into the surface
-// at the left of another, and no part lies inside another. Such a reach is a proper crossing of two
-// segments, two segments on top of each other in the same direction, or a vertex on a segment or another
-// vertex where the two angles of surface overlap. Mere contact (angles that do not overlap, segments on
-// top of each other in opposite directions) is no overlap: the map is injective up to contact.
+// This holds iff nowhere on the borders the surface at the left of one border reaches into the
+// surface at the left of another, and no part lies inside another. Such a reach is a proper
+// crossing of two segments, two segments on top of each other in the same direction, or a vertex on
+// a segment or another vertex where the two angles of surface overlap. Mere contact (angles that do
+// not overlap, segments on top of each other in opposite directions) is no overlap: the map is
+// injective up to contact.
 class Border_overlaps
 {
 public:
   // `uv` is finite. O(n + (b + k) log b) for b border segments with k pairs of meeting boxes.
-  Border_overlaps(const Chart& chart, const Connected_parts& parts, const std::vector<Eigen::Vector2d>& uv)
+  Border_overlaps(const Chart& chart, const Connected_parts& parts,
+                  const std::vector<Eigen::Vector2d>& uv)
     : m_chart(chart), m_parts(parts), m_incoming(chart.number_of_vertices(), -1)
   {
     m_points.reserve(uv.size());
@@ -73,7 +75,10 @@ private:
   const Point_2& source(int h) const { return m_points[m_chart.source(h)]; }
   const Point_2& target(int h) const { return m_points[m_chart.target(h)]; }
 
-  Sector sector_at_source(int h) const { return {target(h), source(m_incoming[m_chart.source(h)])}; }
+  Sector sector_at_source(int h) const
+  {
+    return {target(h), source(m_incoming[m_chart.source(h)])};
+  }
   // That of a point between the ends of a border segment.
   Sector sector_along(int h) const { return {target(h), source(h)}; }
 
@@ -109,8 +114,8 @@ private:
     return collinear_are_strictly_ordered_along_line(p, q, r);
   }
 
-  // Whether the surfaces along two border halfedges overlap at a point of both segments. The targets
-  // are left to the next halfedges.
+  // Whether the surfaces along two border halfedges overlap at a point of both segments. The
+  // targets are left to the next halfedges.
   bool do_overlap(int g, int h) const
   {
     const Point_2 &p = source(g), &q = target(g), &r = source(h), &s = target(h);
@@ -121,9 +126,11 @@ private:
     if(p == r)
       return m_chart.source(g) != m_chart.source(h)
           && do_overlap(p, sector_at_source(g), sector_at_source(h));
-    if(pqr == COLLINEAR && is_between(p, r, q) && do_overlap(r, sector_along(g), sector_at_source(h)))
+    if(pqr == COLLINEAR && is_between(p, r, q)
+       && do_overlap(r, sector_along(g), sector_at_source(h)))
       return true;
-    return rsp == COLLINEAR && is_between(r, p, s) && do_overlap(p, sector_along(h), sector_at_source(g));
+    return rsp == COLLINEAR && is_between(r, p, s)
+        && do_overlap(p, sector_along(h), sector_at_source(g));
   }
 
   std::vector<Box> boxes_of_segments() const
@@ -146,8 +153,8 @@ private:
   }
 
   // Borders that do not cross are nested or apart: one vertex of each part tells, by the winding
-  // numbers of the other borders around it, which are counted along a ray to the right. Where it lies
-  // on another border, the crossings have told already.
+  // numbers of the other borders around it, which are counted along a ray to the right. Where it
+  // lies on another border, the crossings have told already.
   void find_containments()
   {
     std::vector<int> probe(m_parts.number, -1); // a border halfedge per part
@@ -176,7 +183,8 @@ private:
                        [&](const Box& ray, const Box& segment)
     {
       const int inner = m_parts.part[ray.info() / 3], outer = m_parts.part[segment.info() / 3];
-      const Point_2 &p = source(ray.info()), &s = source(segment.info()), &t = target(segment.info());
+      const Point_2& p = source(ray.info());
+      const Point_2 &s = source(segment.info()), &t = target(segment.info());
       if(inner == outer)
         return;
       const Orientation side = orientation(s, t, p);

@@ -44,10 +44,11 @@ inline Flat_status check_disks(const Chart& chart)
   for(int f = 0; f < chart.number_of_triangles(); ++f)
     if(parts.part[f] == bad - topology.begin())
       faces.push_back(f);
-  return Flat_status(Status_code::NOT_CUT_TO_DISKS,
-                     "parts that are not disks: " + std::to_string(std::count_if(topology.begin(), topology.end(), is_bad))
-                     + "; the first has genus " + std::to_string(bad->genus()) + " and "
-                     + std::to_string(bad->border_loops) + " border(s)", Element_kind::FACE, std::move(faces));
+  const auto number = std::count_if(bad, topology.end(), is_bad);
+  const std::string message = "parts that are not disks: " + std::to_string(number)
+                            + "; the first has genus " + std::to_string(bad->genus())
+                            + " and " + std::to_string(bad->border_loops) + " border(s)";
+  return Flat_status(Status_code::NOT_CUT_TO_DISKS, message, Element_kind::FACE, std::move(faces));
 }
 
 // What the exact check of a map to the plane found.
@@ -83,12 +84,14 @@ struct Certificate
 };
 
 // The triangles that are not strictly counterclockwise.
-inline Certificate certify_triangles(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv)
+inline Certificate certify_triangles(const std::vector<Triangle>& triangles,
+                                     const std::vector<Eigen::Vector2d>& uv)
 {
+  using Surface_mesh_parameterization::internal::count_flips;
   using Surface_mesh_parameterization::internal::is_finite;
 
   Certificate certificate;
-  certificate.flips = Surface_mesh_parameterization::internal::count_flips(triangles, uv, &certificate.faces);
+  certificate.flips = count_flips(triangles, uv, &certificate.faces);
   // A triangle with a value that is not finite is never counterclockwise.
   for(int f : certificate.faces)
   {
@@ -99,9 +102,10 @@ inline Certificate certify_triangles(const std::vector<Triangle>& triangles, con
   return certificate;
 }
 
-// Checks with exact predicates that `uv`, one per chart vertex, is finite and maps each triangle to a
-// strictly counterclockwise one and, if asked for, that no two triangles overlap.
-inline Certificate certify(const Chart& chart, const std::vector<Eigen::Vector2d>& uv, bool do_bijective)
+// Checks with exact predicates that `uv`, one per chart vertex, is finite and maps each triangle to
+// a strictly counterclockwise one and, if asked for, that no two triangles overlap.
+inline Certificate certify(const Chart& chart, const std::vector<Eigen::Vector2d>& uv,
+                           bool do_bijective)
 {
   Certificate certificate = certify_triangles(chart.triangles(), uv);
   if(!do_bijective || certificate.non_finite > 0)
@@ -116,15 +120,18 @@ inline Certificate certify(const Chart& chart, const std::vector<Eigen::Vector2d
     faces.push_back(crossing.first / 3);
     faces.push_back(crossing.second / 3);
   }
+  const auto begin = parts.part.begin(), end = parts.part.end();
   for(const std::pair<int, int>& containment : overlaps.containments())
-    faces.push_back(int(std::find(parts.part.begin(), parts.part.end(), containment.first) - parts.part.begin()));
+    faces.push_back(int(std::find(begin, end, containment.first) - begin));
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return certificate;
 }
 
 // The same for UVs given per corner, which have to agree at each chart vertex.
-inline Certificate certify_corners(const Chart& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective)
+inline Certificate certify_corners(const Chart& chart,
+                                   const std::vector<Eigen::Vector2d>& corner_uv,
+                                   bool do_bijective)
 {
   std::vector<Eigen::Vector2d> uv(chart.number_of_vertices(), Eigen::Vector2d::Zero());
   std::vector<char> is_set(uv.size(), 0);

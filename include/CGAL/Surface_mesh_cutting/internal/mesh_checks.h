@@ -75,7 +75,8 @@ inline std::vector<int> faces_given_twice(const Flat_mesh& mesh)
 
   std::vector<std::pair<Triangle, int> > candidates;
   for(int f = 0; f < mesh.number_of_faces(); ++f)
-    if(is_parallel[mesh.edge(3 * f)] && is_parallel[mesh.edge(3 * f + 1)] && is_parallel[mesh.edge(3 * f + 2)])
+    if(is_parallel[mesh.edge(3 * f)] && is_parallel[mesh.edge(3 * f + 1)] &&
+       is_parallel[mesh.edge(3 * f + 2)])
     {
       Triangle t = mesh.triangles()[f];
       std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -135,7 +136,8 @@ inline Flat_status check_mesh(const Flat_mesh& mesh)
                        Element_kind::VERTEX, std::move(found));
   found = faces_given_twice(mesh);
   if(!found.empty())
-    return Flat_status(Status_code::NON_MANIFOLD, "faces given twice", Element_kind::FACE, std::move(found));
+    return Flat_status(Status_code::NON_MANIFOLD, "faces given twice",
+                       Element_kind::FACE, std::move(found));
 
   Flat_status status;
   const auto warn = [&status](const char* message, Element_kind kind, std::vector<int> indices)
@@ -152,9 +154,10 @@ inline Flat_status check_mesh(const Flat_mesh& mesh)
       points.push_back(e);
   warn("isolated vertices, which are ignored", Element_kind::VERTEX, std::move(isolated));
   warn("edges of length zero", Element_kind::EDGE, std::move(points));
-  warn("faces of (nearly) no area, which are treated as slightly thicker", Element_kind::FACE, degenerate_faces(mesh));
-  warn("border vertices at the same point: does the surface need to be stitched?", Element_kind::VERTEX,
-       coincident_border_vertices(mesh));
+  warn("faces of (nearly) no area, which are treated as slightly thicker", Element_kind::FACE,
+       degenerate_faces(mesh));
+  warn("border vertices at the same point: does the surface need to be stitched?",
+       Element_kind::VERTEX, coincident_border_vertices(mesh));
   return status;
 }
 

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_EFFORT_H
+#define CGAL_SURFACE_MESH_CUTTING_EFFORT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// how much work is put into a short cut; passed by the named parameter `effort`.
+enum class Effort
+{
+  FAST,    ///< what speed is measured on
+  DEFAULT, ///< the method with a provenly shortest tree wherever that is affordable
+  BEST     ///< several starts, the best result is kept
+};
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// how the feature points are connected; passed by the named parameter `connection`.
+/// \sa `CGAL::steiner_tree()`
+enum class Connection
+{
+  METRIC_CLOSURE,          ///< the minimum spanning tree of the shortest paths between all points
+  SHORTEST_PATH_HEURISTIC, ///< grows a tree by the path to the nearest point outside
+  GREEDY,                  ///< the paper's auxiliary points, one by one
+  EXACT,                   ///< the shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget
+  BEST                     ///< the shortest tree within a budget, else the best one found and a lower bound
+};
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_EFFORT_H

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_PHASE_TIMES_H
+#define CGAL_SURFACE_MESH_CUTTING_PHASE_TIMES_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// seconds spent in the phases of a run.
+struct Phase_times
+{
+  double candidates = 0;   ///< handles, first cuts, conformal maps, candidates
+  double filter = 0;       ///< choice among the candidates
+  double connect = 0;      ///< the tree through the feature points
+  double refine = 0;       ///< repair and shortening of the connected cut
+  double parameterize = 0; ///< the final UVs
+  double total = 0;        ///< everything, also what belongs to no phase
+};
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_PHASE_TIMES_H

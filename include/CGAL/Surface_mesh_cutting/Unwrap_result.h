@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_UNWRAP_RESULT_H
+#define CGAL_SURFACE_MESH_CUTTING_UNWRAP_RESULT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Phase_times.h>
+#include <CGAL/Surface_mesh_cutting/Status.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// what `greedy_cut()` computed besides the cut. Lengths are in units of the mesh.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+template <typename TriangleMesh>
+struct Cut_result
+{
+  /// how the run ended; with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED` there is a result.
+  Status<TriangleMesh> status;
+
+  int components = 0; ///< number of connected components of the surface.
+  int genus = 0;      ///< sum of the genera of the components.
+  int borders = 0;    ///< number of border loops of the surface.
+
+  int candidates = 0; ///< number of candidates for feature points.
+  int features = 0;   ///< number of feature points.
+  int auxiliary = 0;  ///< number of branch points that the connection added.
+  /// the feature points.
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> feature_points;
+
+  double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
+  double cut_length = 0;            ///< total length of the cut edges.
+  /// no cut through the same feature points is shorter than this; empty if no bound was computed.
+  std::optional<double> cut_lower_bound;
+  /// whether no cut through the same feature points is shorter; empty if no bound was computed.
+  std::optional<bool> optimal;
+
+  Phase_times seconds;     ///< wall time.
+  Phase_times cpu_seconds; ///< processor time of all threads.
+
+  /// `true` iff all that was asked for was computed.
+  explicit operator bool() const { return bool(status); }
+};
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// what `unwrap()` computed besides the cut and the UVs.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+template <typename TriangleMesh>
+struct Unwrap_result : public Cut_result<TriangleMesh>
+{
+  double E_iso = 0; ///< area-averaged symmetric Dirichlet energy of the UVs; 4 is ideal.
+  double E_max = 0; ///< largest symmetric Dirichlet energy of a face.
+  int flips = 0;    ///< number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.
+  /// number of overlaps, decided exactly; empty unless a bijective map was asked for.
+  std::optional<int> overlaps;
+};
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_UNWRAP_RESULT_H

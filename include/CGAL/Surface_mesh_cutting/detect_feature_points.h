@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_DETECT_FEATURE_POINTS_H
+#define CGAL_SURFACE_MESH_CUTTING_DETECT_FEATURE_POINTS_H
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// finds the points that a cut has to reach so that the surface can be flattened with low isometric
+/// distortion: local maximizers of the distortion of a conformal map, filtered greedily by what each
+/// of them gains \cgalCite{cgal:zycf-gccp-20} (Section 3.1).
+///
+/// The cost is dominated by solving sparse linear systems of the size of the surface: a few dozen for
+/// the candidates and one or two for each candidate that small windows do not decide. Memory is
+/// linear in the size of the surface, plus linear in it for each feature point while these are connected.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
+///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam VertexOutputIterator a model of `OutputIterator` that accepts
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface; it is not modified
+/// \param out receives the feature points, ordered by their position in `vertices(tmesh)`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{minimum_distortion_decrease}
+///     \cgalParamDescription{the decrease of the area-averaged symmetric Dirichlet energy that a point must bring to be kept, \f$ \varepsilon_{iso} \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.01`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_area_ratio}
+///     \cgalParamDescription{the share of the area that must lie far from the first cut and its maximizers, \f$ \alpha \f$}
+///     \cgalParamType{`double` between 0 and 1}
+///     \cgalParamDefault{`0.1`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{influence_threshold}
+///     \cgalParamDescription{the scope of influence above which a candidate is a feature point from the outset, in units of the average edge length, \f$ \beta \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`20`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{forbidden_radius}
+///     \cgalParamDescription{the initial distance of the second cut from the first cut and its maximizers, in units of the average edge length, \f$ d_n \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`10`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{faithful}
+///     \cgalParamDescription{whether to stay with the paper to the letter: only local maximizers of the proxy metric are candidates, and the points are connected greedily}
+///     \cgalParamType{Boolean}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{the seed from which the start vertex is drawn}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told about the progress and can end the run}
+///     \cgalParamType{a class with the functions of `Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run ends with `Status_code::STOPPED`; 0 means no limit}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver of the sparse symmetric positive definite systems}
+///     \cgalParamType{a model of `SparseLinearAlgebraTraits_d` with a function `factor()`, for a direct solver}
+///     \cgalParamDefault{a Cholesky factorization of \eigen}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was found; the members about the cut are not set. Its `status` is `Status_code::OK`, or
+///         `Status_code::EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD` or `INVALID_POINT` for a surface
+///         that the package does not take, `UNSUPPORTED_TOPOLOGY` where it is not a single closed
+///         surface of genus 0, `WRONG_PARAMETER`, `NUMERICAL_FAILURE`, or `STOPPED`. Then nothing is written to `out`.
+///
+/// \sa `greedy_cut()`
+/// \sa `connect_points()`
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexOutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+Cut_result<TriangleMesh> detect_feature_points(const TriangleMesh& tmesh, VertexOutputIterator out,
+                                               const NamedParameters& np = parameters::default_values())
+{
+  const Cut_result<TriangleMesh> result
+    = internal::run<ConcurrencyTag>(tmesh, internal::Goal::FEATURES, internal::Ignore_result(), np);
+  for(auto v : result.feature_points)
+    *out++ = v;
+  return result;
+}
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_DETECT_FEATURE_POINTS_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_GREEDY_CUT_H
+#define CGAL_SURFACE_MESH_CUTTING_GREEDY_CUT_H
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// finds a short cut that leaves only topological disks which can be flattened with low isometric
+/// distortion: feature points are detected and connected by a short tree \cgalCite{cgal:zycf-gccp-20}.
+///
+/// The cost is dominated by solving sparse linear systems of the size of the surface: a few dozen for
+/// the candidates and one or two for each candidate that small windows do not decide. Memory is
+/// linear in the size of the surface, plus linear in it for each feature point while these are connected.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
+///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam EdgeIsCutMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface; it is not modified
+/// \param edge_is_cut_map receives `true` or `false` for each edge if the status is `Status_code::OK` or
+///        `Status_code::BOUND_NOT_REACHED`, and is left alone otherwise. See `make_seam_mesh()`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{minimum_distortion_decrease}
+///     \cgalParamDescription{the decrease of the area-averaged symmetric Dirichlet energy that a point must bring to be kept, \f$ \varepsilon_{iso} \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.01`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_length_decrease}
+///     \cgalParamDescription{the decrease of the cut length that an auxiliary point must bring when the points are connected greedily, as a fraction of the length of the bounding box diagonal, \f$ \varepsilon_{len} \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.01`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_area_ratio}
+///     \cgalParamDescription{the share of the area that must lie far from the first cut and its maximizers, \f$ \alpha \f$}
+///     \cgalParamType{`double` between 0 and 1}
+///     \cgalParamDefault{`0.1`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{influence_threshold}
+///     \cgalParamDescription{the scope of influence above which a candidate is a feature point from the outset, in units of the average edge length, \f$ \beta \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`20`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{forbidden_radius}
+///     \cgalParamDescription{the initial distance of the second cut from the first cut and its maximizers, in units of the average edge length, \f$ d_n \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`10`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{faithful}
+///     \cgalParamDescription{whether to stay with the paper to the letter: only local maximizers of the proxy metric are candidates, and the points are connected greedily}
+///     \cgalParamType{Boolean}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{effort}
+///     \cgalParamDescription{how much work is put into a short cut}
+///     \cgalParamType{`Surface_mesh_cutting::Effort`}
+///     \cgalParamDefault{`Effort::DEFAULT`}
+///     \cgalParamExtra{`Effort::BEST` tries four starts and takes the shortest cut among those whose energy is within `minimum_distortion_decrease` of the lowest}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{connection}
+///     \cgalParamDescription{how the feature points are connected}
+///     \cgalParamType{`Surface_mesh_cutting::Connection`}
+///     \cgalParamDefault{`Connection::BEST`, and `Connection::GREEDY` with `faithful(true)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_states}
+///     \cgalParamDescription{the budget of the search for a shortest tree; it counts states, not seconds, so that results are reproducible}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`20000000`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{the seed from which the start vertex is drawn}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told about the progress and can end the run}
+///     \cgalParamType{a class with the functions of `Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run ends with `Status_code::STOPPED`; 0 means no limit}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver of the sparse symmetric positive definite systems}
+///     \cgalParamType{a model of `SparseLinearAlgebraTraits_d` with a function `factor()`, for a direct solver}
+///     \cgalParamDefault{a Cholesky factorization of \eigen}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was found. Its `status` is `Status_code::OK`, or `Status_code::BOUND_NOT_REACHED` with
+///         `connection(Connection::EXACT)` where the budget does not suffice for a proof, or
+///         `Status_code::EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD` or `INVALID_POINT` for a surface
+///         that the package does not take, `UNSUPPORTED_TOPOLOGY` where it is not a single closed
+///         surface of genus 0, `WRONG_PARAMETER`, `NUMERICAL_FAILURE`, or `STOPPED`.
+///
+/// \sa `unwrap()`
+/// \sa `detect_feature_points()`
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeIsCutMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Cut_result<TriangleMesh> greedy_cut(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  return internal::run<ConcurrencyTag>(tmesh, internal::Goal::CUT,
+                                       [&](const auto& adapter, const internal::Mesh_result& result)
+                                       { adapter.write_cut(result.cut, edge_is_cut_map); }, np);
+}
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_GREEDY_CUT_H

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_COMPONENT_CUTTER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_COMPONENT_CUTTER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
+#include <CGAL/Surface_mesh_cutting/internal/Phase_clock.h>
+
+#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// What is known about one component of the surface after a run.
+struct Component_result
+{
+  Flat_status status;
+  int candidates = 0, auxiliary = 0;
+  std::vector<int> features;
+  Cut cut;
+  double length = 0, lower_bound = 0;
+  bool is_optimal = false;
+  Chart chart;
+  std::vector<Eigen::Vector2d> uv;
+  double energy = 0;
+};
+
+// The whole method for one closed surface of genus 0: candidates, filtering, connection and, if asked
+// for, UVs (paper, Section 3).
+template <typename LinearSolver, typename ConcurrencyTag>
+class Component_cutter
+{
+public:
+  Component_cutter(const Flat_mesh& mesh, const Cutting_parameters& parameters, Run_control& control,
+                   Phase_clock& clock)
+    : m_mesh(mesh), m_parameters(parameters), m_control(control), m_clock(clock),
+      m_shapes(Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()))
+  {}
+
+  Component_result detect()
+  {
+    Component_result result;
+    detect_features(random_start(0), result);
+    return result;
+  }
+
+  // Runs from as many starts as the parameters say. The best is the shortest of those whose energy
+  // is within epsilon_iso of the lowest.
+  Component_result run(bool needs_uv)
+  {
+    const bool needs_energy = needs_uv || m_parameters.number_of_starts > 1;
+    std::vector<Component_result> results;
+    double lowest = std::numeric_limits<double>::infinity();
+    for(int i = 0; i < m_parameters.number_of_starts; ++i)
+    {
+      results.push_back(run_from(random_start(i), needs_energy));
+      if(!results.back().status)
+        return results.back();
+      lowest = (std::min)(lowest, results.back().energy);
+    }
+    const Component_result* best = nullptr;
+    for(const Component_result& r : results)
+      if(r.energy <= lowest + m_parameters.minimum_distortion_decrease &&
+         (best == nullptr || r.length < best->length))
+        best = &r;
+    return *best;
+  }
+
+private:
+  int random_start(int i) const
+  {
+    std::mt19937 engine(m_parameters.random_seed + 7919u * unsigned(i));
+    return int(engine() % std::mt19937::result_type(m_mesh.number_of_vertices()));
+  }
+
+  Component_result run_from(int start, bool needs_uv)
+  {
+    Component_result result;
+    detect_features(start, result);
+    if(result.status)
+      connect(result);
+    if(result.status && needs_uv)
+      parameterize(result);
+    return result;
+  }
+
+  Flat_status failure() const
+  {
+    if(m_control.is_stopped())
+      return Flat_status(Status_code::STOPPED, "the visitor ended the run");
+    return Flat_status(Status_code::NUMERICAL_FAILURE, "no flip-free map of the opened surface was found");
+  }
+
+  void detect_features(int start, Component_result& result)
+  {
+    std::vector<Candidate> candidates;
+    {
+      const Phase_clock::Measurement measurement(m_clock, Phase::CANDIDATES);
+      m_control.report(Phase::CANDIDATES, 0);
+      candidates = find_candidates<LinearSolver>(m_mesh, m_shapes, start, m_parameters, m_control);
+      result.candidates = int(candidates.size());
+    }
+    if(m_control.is_stopped())
+    {
+      result.status = failure();
+      return;
+    }
+    const Phase_clock::Measurement measurement(m_clock, Phase::FILTER);
+    add_far_vertices(start, candidates);
+    Greedy_filter<LinearSolver> filter(m_mesh, m_shapes, m_parameters, m_control);
+    if(filter.run(candidates))
+      result.features = filter.features();
+    else
+      result.status = failure();
+  }
+
+  // A surface as even as a sphere may have a single maximizer, or none where the map failed; a cut
+  // needs two ends.
+  void add_far_vertices(int start, std::vector<Candidate>& candidates) const
+  {
+    if(candidates.size() >= 2)
+      return;
+    Shortest_paths paths(m_mesh.graph());
+    const int one_end = candidates.empty() ? farthest_vertex(m_mesh, paths, start, {})
+                                           : candidates.front().vertex;
+    const int other_end = farthest_vertex(m_mesh, paths, one_end, {});
+    const double infinity = std::numeric_limits<double>::infinity();
+    candidates = {{one_end, infinity}, {other_end, infinity}};
+  }
+
+  void connect(Component_result& result)
+  {
+    const Phase_clock::Measurement measurement(m_clock, Phase::CONNECT);
+    m_control.report(Phase::CONNECT, 0);
+    const CGAL::internal::Steiner_tree::Solution solution
+      = CGAL::internal::Steiner_tree::solve<ConcurrencyTag>(m_mesh.graph(), result.features, m_parameters.connection,
+                                                            [this] { return m_control.go_further(); });
+    if(m_control.is_stopped())
+    {
+      result.status = failure();
+      return;
+    }
+    std::vector<int> edges = solution.tree.edges;
+    extend_single_edge(m_mesh, edges);
+    result.cut = make_cut(m_mesh, edges);
+    result.length = cut_length(m_mesh, result.cut);
+    result.lower_bound = solution.lower_bound;
+    result.is_optimal = solution.is_optimal;
+    result.auxiliary = number_of_branch_vertices(m_mesh.graph(), result.features, solution.tree);
+    m_control.report(Phase::CONNECT, 1);
+  }
+
+  void parameterize(Component_result& result)
+  {
+    const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
+    m_control.report(Phase::PARAMETERIZE, 0);
+    result.chart = make_chart(m_mesh, result.cut);
+    Chart_parameterizer<LinearSolver> parameterizer(result.chart, chart_points(m_mesh, result.chart), m_shapes);
+    Newton_options options;
+    options.stop = [this](const Newton_state&) { return !m_control.go_further(); };
+    const Newton_result newton = parameterizer.isometric_map(result.uv, options);
+    result.energy = newton.energy;
+    if(newton.outcome == Newton_outcome::FAILED || m_control.is_stopped())
+      result.status = failure();
+    m_control.report(Phase::PARAMETERIZE, 1);
+  }
+
+  const Flat_mesh& m_mesh;
+  const Cutting_parameters& m_parameters;
+  Run_control& m_control;
+  Phase_clock& m_clock;
+  const std::vector<Rest_shape> m_shapes;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_COMPONENT_CUTTER_H

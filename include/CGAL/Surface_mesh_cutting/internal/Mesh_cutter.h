@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_MESH_CUTTER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_MESH_CUTTER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/Component_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// What a run found, in terms of the whole flat mesh.
+struct Mesh_result
+{
+  Flat_status status;
+  int components = 0, genus = 0, borders = 0;
+  int candidates = 0, auxiliary = 0;
+  std::vector<int> features;
+  Cut cut;
+  double length = 0, lower_bound = 0, diagonal = 0;
+  bool is_optimal = true;
+  Chart chart;
+  std::vector<Eigen::Vector2d> uv;
+  double average_energy = 0, maximum_energy = 0;
+  int flips = 0;
+};
+
+enum class Goal { FEATURES, CUT, MAP };
+
+// Runs the method on each component and puts the parts together.
+template <typename LinearSolver, typename ConcurrencyTag>
+class Mesh_cutter
+{
+public:
+  Mesh_cutter(const Flat_mesh& mesh, const Request& request, Run_control& control, Phase_clock& clock)
+    : m_mesh(mesh), m_request(request), m_control(control), m_clock(clock)
+  {}
+
+  Mesh_result run(Goal goal)
+  {
+    Mesh_result result;
+    result.diagonal = bounding_box_diagonal(m_mesh);
+    result.cut.assign(m_mesh.number_of_edges(), 0);
+    const std::vector<Flat_component> components = split_into_components(m_mesh);
+    for(const Flat_component& c : components)
+    {
+      ++result.components;
+      result.genus += c.topology.genus();
+      result.borders += c.topology.border_loops;
+    }
+    if(result.components > 1 || result.genus > 0 || result.borders > 0)
+    {
+      result.status = Flat_status(Status_code::UNSUPPORTED_TOPOLOGY,
+                                  "the surface is not a single closed component of genus 0");
+      return result;
+    }
+    for(const Flat_component& c : components)
+      if(!run_component(c, goal, result))
+        return result;
+    if(goal == Goal::MAP)
+      certify(result);
+    return result;
+  }
+
+private:
+  bool run_component(const Flat_component& component, Goal goal, Mesh_result& result)
+  {
+    Cutting_parameters parameters = m_request.parameters;
+    parameters.connection.minimum_length_decrease
+      = parameters.minimum_length_decrease * bounding_box_diagonal(component.mesh);
+    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component.mesh, parameters, m_control, m_clock);
+    Component_result part = goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
+    result.candidates += part.candidates;
+    if(!part.status)
+    {
+      result.status = component.in_whole(part.status);
+      return false;
+    }
+    for(int v : part.features)
+      result.features.push_back(component.vertices[v]);
+    if(goal == Goal::FEATURES)
+      return true;
+    component.add_to(part.cut, result.cut);
+    result.auxiliary += part.auxiliary;
+    result.length += part.length;
+    result.lower_bound += part.lower_bound;
+    result.is_optimal = result.is_optimal && part.is_optimal;
+    if(m_request.needs_optimal_tree && !part.is_optimal)
+      result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
+                                  "the cut is not proven to be the shortest one within the budget");
+    if(goal == Goal::MAP)
+      add_map(component, std::move(part), result);
+    return true;
+  }
+
+  // Hands the UVs of the component's chart over to the chart of the whole.
+  void add_map(const Flat_component& component, Component_result part, Mesh_result& result) const
+  {
+    if(result.chart.number_of_triangles() == 0)
+      result.chart = Chart(m_mesh.triangles(), m_mesh.opposites(), m_mesh.number_of_vertices());
+    std::vector<int> halfedges;
+    for(std::size_t e = 0; e < component.edges.size(); ++e)
+      if(part.cut[e])
+        halfedges.push_back(m_mesh.halfedge(component.edges[e]));
+    result.chart.open(halfedges);
+    result.uv.resize(result.chart.number_of_vertices(), Eigen::Vector2d::Zero());
+    for(std::size_t f = 0; f < component.faces.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        result.uv[result.chart.triangles()[component.faces[f]][k]] = part.uv[part.chart.triangles()[f][k]];
+  }
+
+  // Measures the map and proves it free of flips; a map that fails is not handed out.
+  void certify(Mesh_result& result) const
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    const std::vector<Rest_shape> shapes = rest_shapes(m_mesh.triangles(), m_mesh.points());
+    const double scale = best_scale(shapes, result.chart.triangles(), result.uv);
+    for(Eigen::Vector2d& u : result.uv)
+      u *= scale;
+    const std::vector<double> energies
+      = face_energies<Symmetric_Dirichlet_energy>(shapes, result.chart.triangles(), result.uv);
+    result.average_energy = area_average(shapes, energies);
+    result.maximum_energy = *std::max_element(energies.begin(), energies.end());
+    const Flat_status disks = check_disks(result.chart);
+    const Certificate certificate = internal::certify(result.chart, result.uv, false);
+    result.flips = certificate.flips;
+    if(!disks)
+      result.status.finding = disks.finding;
+    else if(!certificate)
+      result.status.finding = certificate.status().finding;
+  }
+
+  const Flat_mesh& m_mesh;
+  const Request& m_request;
+  Run_control& m_control;
+  Phase_clock& m_clock;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_MESH_CUTTER_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_READ_PARAMETERS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_READ_PARAMETERS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/Visitor.h>
+#include <CGAL/Surface_mesh_cutting/internal/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
+
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+using Steiner_method = CGAL::internal::Steiner_tree::Method;
+
+inline Steiner_method steiner_method(Connection connection)
+{
+  switch(connection)
+  {
+  case Connection::METRIC_CLOSURE:          return Steiner_method::metric_closure;
+  case Connection::SHORTEST_PATH_HEURISTIC: return Steiner_method::shortest_path_heuristic;
+  case Connection::GREEDY:                  return Steiner_method::greedy_auxiliary_points;
+  default:                                  return Steiner_method::exact;
+  }
+}
+
+// What the caller asked for besides the parameters of the method.
+struct Request
+{
+  Cutting_parameters parameters;
+  Effort effort = Effort::DEFAULT;
+  bool needs_optimal_tree = false;
+};
+
+// The parameters of the method from named parameters.
+template <typename NamedParameters>
+Request read_request(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  Request request;
+  Cutting_parameters& p = request.parameters;
+  const auto read = [](const auto& given, auto& value)
+  { value = choose_parameter(given, value); };
+  read(get_parameter(np, internal_np::minimum_distortion_decrease), p.minimum_distortion_decrease);
+  read(get_parameter(np, internal_np::minimum_length_decrease), p.minimum_length_decrease);
+  read(get_parameter(np, internal_np::minimum_area_ratio), p.minimum_area_ratio);
+  read(get_parameter(np, internal_np::influence_threshold), p.influence_threshold);
+  read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
+  read(get_parameter(np, internal_np::faithful), p.is_faithful);
+  read(get_parameter(np, internal_np::random_seed), p.random_seed);
+  read(get_parameter(np, internal_np::effort), request.effort);
+  read(get_parameter(np, internal_np::maximum_number_of_states), p.connection.maximum_number_of_states);
+
+  // The paper connects greedily.
+  Connection connection = p.is_faithful ? Connection::GREEDY : Connection::BEST;
+  read(get_parameter(np, internal_np::connection), connection);
+  p.connection.method = steiner_method(connection);
+  request.needs_optimal_tree = connection == Connection::EXACT;
+  constexpr int number_of_starts_at_best = 4;
+  p.number_of_starts = request.effort == Effort::BEST && !p.is_faithful ? number_of_starts_at_best : 1;
+  return request;
+}
+
+inline Flat_status check_parameters(const Cutting_parameters& p)
+{
+  const auto refuse = [](const char* name, const char* range)
+  { return Flat_status(Status_code::WRONG_PARAMETER, std::string(name) + " must be " + range); };
+  const auto is_non_negative = [](double x) { return std::isfinite(x) && x >= 0; };
+  if(!is_non_negative(p.minimum_distortion_decrease))
+    return refuse("minimum_distortion_decrease", "finite and not negative");
+  if(!is_non_negative(p.minimum_length_decrease))
+    return refuse("minimum_length_decrease", "finite and not negative");
+  if(!(p.minimum_area_ratio >= 0 && p.minimum_area_ratio <= 1))
+    return refuse("minimum_area_ratio", "between 0 and 1");
+  if(!is_non_negative(p.influence_threshold))
+    return refuse("influence_threshold", "finite and not negative");
+  if(!is_non_negative(p.forbidden_radius))
+    return refuse("forbidden_radius", "finite and not negative");
+  return Flat_status();
+}
+
+// Calls the visitor, and ends the run once `seconds` have passed (0: no limit).
+template <typename Visitor>
+Run_control make_run_control(Visitor& visitor, double seconds)
+{
+  const auto start = std::chrono::steady_clock::now();
+  return Run_control(
+    [&visitor, start, seconds]
+    {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+      return visitor.go_further() && !(seconds > 0 && elapsed.count() > seconds);
+    },
+    [&visitor](Phase phase, double fraction) { visitor.progress(phase, fraction); });
+}
+
+// The engine's solver for what `sparse_linear_solver` gives: nothing, one of the engine's own, or a
+// model of CGAL's `SparseLinearAlgebraTraits_d`.
+template <typename Solver, typename = void>
+struct Engine_solver
+{
+  using type = Surface_mesh_parameterization::internal::Traits_solver<Solver>;
+};
+template <typename Solver>
+struct Engine_solver<Solver, std::void_t<decltype(&Solver::analyze)> >
+{
+  using type = Solver;
+};
+template <typename NamedParameters>
+using Engine_solver_of = typename Engine_solver<std::decay_t<
+  typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t, NamedParameters,
+                                               Surface_mesh_parameterization::internal::Simplicial_solver>::type> >::type;
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_READ_PARAMETERS_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_H
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/Mesh_cutter.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+struct Ignore_result
+{
+  template <typename Adapter>
+  void operator()(const Adapter&, const Mesh_result&) const {}
+};
+
+// Translates what a run on the flat mesh found into terms of the caller's mesh.
+template <typename TriangleMesh, typename Adapter>
+void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<TriangleMesh>& result)
+{
+  result.components = found.components;
+  result.genus = found.genus;
+  result.borders = found.borders;
+  result.candidates = found.candidates;
+  result.features = int(found.features.size());
+  result.auxiliary = found.auxiliary;
+  for(int v : found.features)
+    result.feature_points.push_back(adapter.to_vertex(v));
+  result.bounding_box_diagonal = adapter.to_original_scale(found.diagonal);
+  result.cut_length = adapter.to_original_scale(found.length);
+  if(found.lower_bound > 0)
+  {
+    result.cut_lower_bound = adapter.to_original_scale(found.lower_bound);
+    result.optimal = found.is_optimal;
+  }
+  result.E_iso = found.average_energy;
+  result.E_max = found.maximum_energy;
+  result.flips = found.flips;
+}
+
+// The common part of the calls that run the method: checks, runs, lets `write(adapter, found)` hand out
+// the result if there is one, and reports.
+template <typename ConcurrencyTag, typename TriangleMesh, typename Write, typename NamedParameters>
+Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write write, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  Phase_clock clock;
+  Unwrap_result<TriangleMesh> result;
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  const Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
+    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  Default_visitor default_visitor;
+  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  Run_control control = make_run_control(
+    visitor, double(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.)));
+  const Request request = read_request(np);
+
+  Flat_status status = adapter.status();
+  if(status)
+    status.finding = check_parameters(request.parameters).finding;
+  if(status)
+  {
+    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), request, control, clock);
+    const Mesh_result found = cutter.run(goal);
+    status.finding = found.status.finding;
+    translate(found, adapter, result);
+    if(found.status.has_result())
+      write(adapter, found);
+  }
+  result.status = adapter.translate(status);
+  result.seconds = clock.wall();
+  result.cpu_seconds = clock.cpu();
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_H
