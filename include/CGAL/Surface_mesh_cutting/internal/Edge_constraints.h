@@ -52,7 +52,8 @@ inline Edge_constraints restriction(const Edge_constraints& whole, const Flat_co
   return constraints;
 }
 
-inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mesh, const Edge_constraints& constraints)
+inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mesh,
+                                                            const Edge_constraints& constraints)
 {
   std::vector<int> conflicts;
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -64,12 +65,14 @@ inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mes
                      Element_kind::EDGE, std::move(conflicts));
 }
 
-// Decides by what is left when all edges are cut that may be: each part, held together by forbidden edges, must be
-// `is_possible(topology)`. Otherwise the witness are the forbidden edges in the first part that is not. O(n).
+// Decides by what is left when all edges are cut that may be: each part, held together by forbidden
+// edges, must be `is_possible(topology)`. Otherwise the witness are the forbidden edges in the
+// first part that is not. O(n).
 //
-// Handles can be cut iff no part has a handle: cycles of allowed edges span the orthogonal complement of the cycles
-// within the parts, with respect to the number of crossings, and contain g independent ones that do not cross each
-// other iff no two cycles within the parts cross. Disks can be reached iff all parts are disks.
+// Handles can be cut iff no part has a handle: cycles of allowed edges span the orthogonal
+// complement of the cycles within the parts, with respect to the number of crossings, and contain g
+// independent ones that do not cross each other iff no two cycles within the parts cross. Disks can
+// be reached iff all parts are disks.
 template <typename IsPossible>
 Flat_status check_forbidden_edges(const Flat_mesh& mesh, const Edge_constraints& constraints,
                                   IsPossible is_possible, const std::string& message)
@@ -88,26 +91,30 @@ Flat_status check_forbidden_edges(const Flat_mesh& mesh, const Edge_constraints&
     if(!mesh.is_border_edge(e) && constraints.is_forbidden(e) &&
        parts.part[mesh.halfedge(e) / 3] == bad - topology.begin())
       edges.push_back(e);
-  return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, message, Element_kind::EDGE, std::move(edges));
+  return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, message, Element_kind::EDGE,
+                     std::move(edges));
 }
 
 // Whether the constraints leave a way to cut all handles.
-inline Flat_status check_handles_can_be_cut(const Flat_mesh& mesh, const Edge_constraints& constraints)
+inline Flat_status check_handles_can_be_cut(const Flat_mesh& mesh,
+                                            const Edge_constraints& constraints)
 {
   Flat_status status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
   if(status)
-    status = check_forbidden_edges(mesh, constraints, [](const Topology& t) { return t.genus() == 0; },
+    status = check_forbidden_edges(mesh, constraints,
+                                   [](const Topology& t) { return t.genus() == 0; },
                                    "a handle cannot be cut because of edges that must not be cut");
   return status;
 }
 
 // Whether the constraints leave a way to cut the surface to disks.
-inline Flat_status check_disks_can_be_reached(const Flat_mesh& mesh, const Edge_constraints& constraints)
+inline Flat_status check_disks_can_be_reached(const Flat_mesh& mesh,
+                                              const Edge_constraints& constraints)
 {
   Flat_status status = check_handles_can_be_cut(mesh, constraints);
   if(status)
     status = check_forbidden_edges(mesh, constraints, [](const Topology& t) { return t.is_disk(); },
-                                   "edges that must not be cut keep the surface from becoming a disk");
+                                   "edges that must not be cut keep a part from becoming a disk");
   return status;
 }
 

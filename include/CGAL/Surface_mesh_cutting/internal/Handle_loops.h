@@ -50,8 +50,8 @@ struct Handle_loops
   Cut cut;
 };
 
-// Completes a cycle of the contracted surface to a closed walk: where it enters a border loop at one vertex and
-// leaves it at another one, it follows the border the shorter way round.
+// Completes a cycle of the contracted surface to a closed walk: where it enters a border loop at
+// one vertex and leaves it at another one, it follows the border the shorter way round.
 class Loop_closing
 {
 public:
@@ -78,17 +78,23 @@ public:
   }
 
 private:
-  int source(Directed_edge e) const { return e.is_forward ? m_chart.source(e.halfedge) : m_chart.target(e.halfedge); }
-  int target(Directed_edge e) const { return e.is_forward ? m_chart.target(e.halfedge) : m_chart.source(e.halfedge); }
+  int source(Directed_edge e) const
+  {
+    return e.is_forward ? m_chart.source(e.halfedge) : m_chart.target(e.halfedge);
+  }
+  int target(Directed_edge e) const { return source({e.halfedge, !e.is_forward}); }
 
   void follow_border(int from, int to, std::vector<Directed_edge>& walk) const
   {
     if(from == to)
       return;
     std::vector<int> loop = m_surface.border_loops[m_surface.nodes[from]];
-    const auto starts_at = [this](int v) { return [this, v](int h) { return m_chart.source(h) == v; }; };
-    std::rotate(loop.begin(), std::find_if(loop.begin(), loop.end(), starts_at(from)), loop.end());
-    const auto middle = std::find_if(loop.begin(), loop.end(), starts_at(to));
+    const auto halfedge_from = [&](int v)
+    {
+      return std::find_if(loop.begin(), loop.end(), [&](int h) { return m_chart.source(h) == v; });
+    };
+    std::rotate(loop.begin(), halfedge_from(from), loop.end());
+    const auto middle = halfedge_from(to);
     if(length(loop.begin(), middle) <= length(middle, loop.end()))
       for(auto it = loop.begin(); it != middle; ++it)
         walk.push_back({*it, true});
@@ -111,11 +117,12 @@ private:
   const Contracted_surface& m_surface;
 };
 
-// Finds loops after which each part that the mandatory cut leaves is as connected as before and has genus 0. They are
-// chosen one after the other, each close to the shortest that the former ones leave. Several loops may meet and
-// overlap, as they must on coarse meshes with many handles. O(g (n log n + g n) + s), where s is the total size of
-// the balls searched.
-inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& constraints, double tolerance = 0.05)
+// Finds loops after which each part that the mandatory cut leaves is as connected as before and has
+// genus 0. They are chosen one after the other, each close to the shortest that the former ones
+// leave. Several loops may meet and overlap, as they must on coarse meshes with many handles. O(g
+// (n log n + g n) + s), where s is the total size of the balls searched.
+inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& constraints,
+                                double tolerance = 0.05)
 {
   Handle_loops result{check_handles_can_be_cut(mesh, constraints), {}, constraints.mandatory};
   if(!result.status)
@@ -124,7 +131,8 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
   CGAL_postcondition_code(const int number_of_parts = Connected_parts(chart.opposites()).number;)
   for(;;)
   {
-    const Contracted_surface surface(chart, [&](int h) { return constraints.weights[mesh.edge(h)]; });
+    const Contracted_surface surface(chart,
+                                     [&](int h) { return constraints.weights[mesh.edge(h)]; });
     const Tree_cotree tree_cotree(chart, surface);
     if(tree_cotree.generators().empty())
       break;
@@ -147,7 +155,8 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
 }
 
 // The same for each component of a mesh, which may have isolated vertices.
-inline Handle_loops cut_handles_of_components(const Flat_mesh& whole, const Edge_constraints& constraints)
+inline Handle_loops cut_handles_of_components(const Flat_mesh& whole,
+                                              const Edge_constraints& constraints)
 {
   Handle_loops result{Flat_status(), {}, constraints.mandatory};
   for(const Flat_component& component : split_into_components(whole))
@@ -160,7 +169,8 @@ inline Handle_loops cut_handles_of_components(const Flat_mesh& whole, const Edge
     {
       result.loops.emplace_back();
       for(const Directed_edge& e : loop)
-        result.loops.back().push_back({3 * component.faces[e.halfedge / 3] + e.halfedge % 3, e.is_forward});
+        result.loops.back().push_back(
+          {3 * component.faces[e.halfedge / 3] + e.halfedge % 3, e.is_forward});
     }
   }
   return result;

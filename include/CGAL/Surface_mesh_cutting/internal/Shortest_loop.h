@@ -36,18 +36,20 @@ struct Loop
 
 // Searches the shortest cycle that does not separate the surface.
 //
-// The shortest such cycle through a root consists of two shortest paths from the root and an edge (Erickson and
-// Har-Peled 2004). It lies within half its length from the root, so that only a ball around the root is searched
-// once some cycle is known. As every such cycle meets each cut graph, the nodes of one suffice as roots. A root
-// near one whose shortest cycle is known to be long cannot have a much shorter one: for roots r and s at
-// distance d, the lengths differ by at most 2d.
+// The shortest such cycle through a root consists of two shortest paths from the root and an edge
+// (Erickson and Har-Peled 2004). It lies within half its length from the root, so that only a ball
+// around the root is searched once some cycle is known. As every such cycle meets each cut graph,
+// the nodes of one suffice as roots. A root near one whose shortest cycle is known to be long
+// cannot have a much shorter one: for roots r and s at distance d, the lengths differ by at most
+// 2d.
 class Shortest_loop
 {
 public:
   // The loop found is at most 1 / (1 - tolerance) times as long as the shortest one.
   Shortest_loop(const Contracted_surface& surface, const Tree_cotree& tree_cotree, double tolerance)
     : m_graph(surface.graph), m_tree_cotree(tree_cotree), m_tolerance(tolerance), m_paths(m_graph),
-      m_lower_bounds(m_graph.number_of_vertices(), 0.), m_is_settled(m_graph.number_of_vertices(), 0),
+      m_lower_bounds(m_graph.number_of_vertices(), 0.),
+      m_is_settled(m_graph.number_of_vertices(), 0),
       m_signatures(m_graph.number_of_vertices() * tree_cotree.number_of_words(), 0)
   {
     search_self_loops();

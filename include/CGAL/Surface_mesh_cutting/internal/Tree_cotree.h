@@ -32,13 +32,13 @@ namespace internal {
 using CGAL::internal::Steiner_tree::Disjoint_sets;
 using CGAL::internal::Steiner_tree::Shortest_paths;
 
-// Splits the edges of a surface into a spanning forest, one of the dual graph that does not cross it, and
-// 2g generators (Erickson and Whittlesey 2005). The edges of the first and the last together are a cut
-// graph: their complement is a disk in each part of the surface.
+// Splits the edges of a surface into a spanning forest, one of the dual graph that does not cross
+// it, and 2g generators (Erickson and Whittlesey 2005). The edges of the first and the last
+// together are a cut graph: their complement is a disk in each part of the surface.
 //
-// Each generator closes a loop in the dual forest. Which of these loops cross an edge is the signature
-// of the edge, a set of 2g bits; the exclusive or over a cycle tells its homology class over Z_2. A simple
-// cycle separates the surface iff that is zero.
+// Each generator closes a loop in the dual forest. Which of these loops cross an edge is the
+// signature of the edge, a set of 2g bits; the exclusive or over a cycle tells its homology class
+// over Z_2. A simple cycle separates the surface iff that is zero.
 class Tree_cotree
 {
 public:
@@ -66,8 +66,9 @@ private:
   int first_face(int e) const { return m_surface.halfedges[e] / 3; }
   int second_face(int e) const { return m_chart.opposite(m_surface.halfedges[e]) / 3; }
 
-  // A forest of shortest paths, so that generators with short loops can be chosen; edges of infinite weight
-  // join what shortest paths leave apart. Returns the other edges, those with the longest loops first.
+  // A forest of shortest paths, so that generators with short loops can be chosen; edges of
+  // infinite weight join what shortest paths leave apart. Returns the other edges, those with the
+  // longest loops first.
   std::vector<int> grow_tree()
   {
     const Csr_graph& graph = m_surface.graph;
@@ -148,7 +149,8 @@ private:
   }
 
   // The vertices of a forest, parents before children.
-  static void traverse(const Csr_graph& forest, std::vector<int>& order, std::vector<int>& last_edge)
+  static void traverse(const Csr_graph& forest, std::vector<int>& order,
+                       std::vector<int>& last_edge)
   {
     std::vector<char> is_reached(forest.number_of_vertices(), 0);
     last_edge.assign(forest.number_of_vertices(), -1);
@@ -175,7 +177,8 @@ private:
     const Csr_graph& graph = m_surface.graph;
     m_cut_graph.insert(m_cut_graph.end(), m_generators.begin(), m_generators.end());
     std::sort(m_cut_graph.begin(), m_cut_graph.end());
-    CGAL::internal::Steiner_tree::prune_leaves(graph, std::vector<char>(graph.number_of_vertices(), 0), m_cut_graph);
+    const std::vector<char> no_terminals(graph.number_of_vertices(), 0);
+    CGAL::internal::Steiner_tree::prune_leaves(graph, no_terminals, m_cut_graph);
     for(int e : m_cut_graph)
       for(int v : {graph.edges[e].source, graph.edges[e].target})
         m_cut_graph_nodes.push_back(v);

@@ -36,10 +36,11 @@ std::vector<double> read_weights(const Mesh_adapter<TriangleMesh, VertexPointMap
                                  EdgeWeightMap edge_weight_map)
 {
   const Flat_mesh& mesh = adapter.mesh();
+  const double scale = adapter.to_original_scale(1);
   std::vector<double> weights(mesh.number_of_edges(), 0.);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(!mesh.is_border_edge(e))
-      weights[e] = CGAL::to_double(get(edge_weight_map, adapter.to_edge(e))) / adapter.to_original_scale(1);
+      weights[e] = CGAL::to_double(get(edge_weight_map, adapter.to_edge(e))) / scale;
   return weights;
 }
 
@@ -50,7 +51,8 @@ std::vector<double> read_weights(const Mesh_adapter<TriangleMesh, VertexPointMap
   return adapter.mesh().lengths();
 }
 
-// Reads the named parameters `edge_weight_map`, `edge_is_constrained_map` and `edge_is_forbidden_map`.
+// Reads the named parameters `edge_weight_map`, `edge_is_constrained_map` and
+// `edge_is_forbidden_map`.
 template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
 Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
                                   const NamedParameters& np, Edge_constraints& constraints)
@@ -58,9 +60,12 @@ Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMa
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  using No_edge = Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, false>;
-  const auto is_forbidden = choose_parameter(get_parameter(np, internal_np::edge_is_forbidden), No_edge());
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  const Static_boolean_property_map<edge_descriptor, false> none;
+  const auto is_forbidden
+    = choose_parameter(get_parameter(np, internal_np::edge_is_forbidden), none);
+  const auto is_constrained
+    = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), none);
 
   const Flat_mesh& mesh = adapter.mesh();
   constraints.mandatory = adapter.read_cut(is_constrained);
@@ -74,7 +79,8 @@ Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMa
       constraints.weights[e] = std::numeric_limits<double>::infinity();
   }
   if(!invalid.empty())
-    return Flat_status(Status_code::WRONG_PARAMETER, "edge_weight_map: weights that are negative or not a number",
+    return Flat_status(Status_code::WRONG_PARAMETER,
+                       "edge_weight_map: weights that are negative or not a number",
                        Element_kind::EDGE, std::move(invalid));
   return Flat_status();
 }
