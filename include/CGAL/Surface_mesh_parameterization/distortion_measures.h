@@ -47,7 +47,8 @@ struct Corners
   // Brings the surface to an extent of about one and the UVs with it, which changes no Jacobian.
   void normalize()
   {
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    const double infinity = std::numeric_limits<double>::infinity();
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
     for(const Eigen::Vector3d& p : points)
     {
       low = low.cwiseMin(p);
@@ -84,7 +85,8 @@ Corners read_corners(const TriangleMesh& tmesh, const NamedParameters& np, ReadU
     for(int k = 0; k < 3; ++k, h = next(h, tmesh))
     {
       const auto& p = get(vpm, target(h, tmesh));
-      corners.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      corners.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                  CGAL::to_double(p.z()));
       read_uv(h, corners.uv);
     }
   }
@@ -93,7 +95,8 @@ Corners read_corners(const TriangleMesh& tmesh, const NamedParameters& np, ReadU
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Corners read_map(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, const NamedParameters& np)
+Corners read_map(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
+                 const NamedParameters& np)
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
@@ -106,8 +109,8 @@ Corners read_map(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, const
 
 template <typename Energy, typename TriangleMesh, typename HalfedgeUVMap, typename FaceEnergyMap,
           typename NamedParameters>
-double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, FaceEnergyMap face_energy_map,
-                      const NamedParameters& np)
+double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
+                      FaceEnergyMap face_energy_map, const NamedParameters& np)
 {
   const Corners corners = read_map(tmesh, halfedge_uv_map, np);
   const std::vector<Rest_shape> shapes = corners.shapes();
@@ -123,25 +126,30 @@ double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, 
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the conformal distortion of a map from a surface to the plane: for each face the MIPS energy
-/// \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. It is 1 for a similarity, larger
-/// otherwise, and infinite where the image is not counterclockwise. Linear in the number of faces.
+/// computes the conformal distortion of a map from a surface to the plane: for each face the MIPS
+/// energy
+/// \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. It is 1 for a similarity,
+/// larger otherwise, and infinite where the image is not counterclockwise. Linear in the number of
+/// faces.
 ///
 /// A degenerate face is given a small height, so that its energy is defined.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as value type
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as
+///         value type
 /// \tparam FaceEnergyMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value
+///         type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
-/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner of
-///        `face(h, tmesh)` at `target(h, tmesh)`
+/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+///        of `face(h, tmesh)` at `target(h, tmesh)`
 /// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the
 ///        average is of interest.
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -158,20 +166,22 @@ double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, 
 /// \return the average of the energy over the area of the surface
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceEnergyMap,
           typename NamedParameters = parameters::Default_named_parameters>
-double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, FaceEnergyMap face_energy_map,
+double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
+                           FaceEnergyMap face_energy_map,
                            const NamedParameters& np = parameters::default_values())
 {
-  return internal::compute_energy<internal::MIPS_energy>(tmesh, halfedge_uv_map, face_energy_map, np);
+  using Energy = internal::MIPS_energy;
+  return internal::compute_energy<Energy>(tmesh, halfedge_uv_map, face_energy_map, np);
 }
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the isometric distortion of a map from a surface to the plane: for each face the symmetric
-/// Dirichlet energy \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ of its Jacobian \f$ J \f$. It is 4 for a rigid
-/// motion, larger otherwise, and infinite where the image is not counterclockwise.
+/// computes the isometric distortion of a map from a surface to the plane: for each face the
+/// symmetric Dirichlet energy \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ of its Jacobian \f$ J \f$. It is 4
+/// for a rigid motion, larger otherwise, and infinite where the image is not counterclockwise.
 ///
-/// The energy depends on the scale of the UVs, see `best_isometric_scale()`. Parameters, complexity and
-/// the treatment of degenerate faces are those of `compute_MIPS_energy()`.
+/// The energy depends on the scale of the UVs, see `best_isometric_scale()`. Parameters, complexity
+/// and the treatment of degenerate faces are those of `compute_MIPS_energy()`.
 ///
 /// \return the average of the energy over the area of the surface
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceEnergyMap,
@@ -180,15 +190,18 @@ double compute_symmetric_Dirichlet_energy(const TriangleMesh& tmesh, HalfedgeUVM
                                           FaceEnergyMap face_energy_map,
                                           const NamedParameters& np = parameters::default_values())
 {
-  return internal::compute_energy<internal::Symmetric_Dirichlet_energy>(tmesh, halfedge_uv_map, face_energy_map, np);
+  using Energy = internal::Symmetric_Dirichlet_energy;
+  return internal::compute_energy<Energy>(tmesh, halfedge_uv_map, face_energy_map, np);
 }
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the factor that all UVs have to be multiplied with, so that the average symmetric Dirichlet
-/// energy of the map becomes as small as possible:
-/// \f$ \left( \sum_i a_i \|J_i^{-1}\|_F^2 \,/ \sum_i a_i \|J_i\|_F^2 \right)^{1/4} \f$ for faces of area
-/// \f$ a_i \f$. Parameters and complexity are those of `compute_MIPS_energy()`, without the map of energies.
+/// computes the factor that all UVs have to be multiplied with, so that the average symmetric
+/// Dirichlet energy of the map becomes as small as possible:
+/// \f$ \left( \sum_i a_i \|J_i^{-1}\|_F^2 \,/ \sum_i a_i \|J_i\|_F^2 \right)^{1/4} \f$ for faces of
+///        area
+/// \f$ a_i \f$. Parameters and complexity are those of `compute_MIPS_energy()`, without the map of
+///        energies.
 ///
 /// \return the factor; it has no meaning if a face is not mapped to a counterclockwise triangle.
 template <typename TriangleMesh, typename HalfedgeUVMap,
@@ -202,22 +215,25 @@ double best_isometric_scale(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the distortion at each vertex of a surface: the average of the distortions of the incident
-/// faces, weighted by their areas, and 0 at an isolated vertex. The faces on all sides of a cut count.
-/// Linear in the size of the surface.
+/// computes the distortion at each vertex of a surface: the average of the distortions of the
+/// incident faces, weighted by their areas, and 0 at an isolated vertex. The faces on all sides of
+/// a cut count. Linear in the size of the surface.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam FaceDistortionMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value
+///         type
 /// \tparam VertexDistortionMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as
+///         value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param face_distortion_map holds the distortion of each face, as computed by
 ///        `compute_symmetric_Dirichlet_energy()` or `compute_MIPS_energy()`
 /// \param vertex_distortion_map receives the distortions of the vertices
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}

@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -151,7 +150,7 @@ public:
     for(auto it = opening.opposites.rbegin(); it != opening.opposites.rend(); ++it)
       m_opposites[it->first] = it->second;
     for(auto it = opening.corners.rbegin(); it != opening.corners.rend(); ++it)
-      m_triangles[it->first / 3][it->first % 3] = it->second;
+      corner(it->first) = it->second;
     m_origins.resize(opening.number_of_vertices);
   }
 
@@ -173,25 +172,28 @@ private:
   void split(const std::vector<int>& corners, Opening& opening)
   {
     const int v = source(corners.front());
-    std::vector<int> fan = ring(corners.front());
-    if(fan.size() == corners.size())
+    const std::vector<int> kept = ring(corners.front());
+    if(kept.size() == corners.size())
       return;
+    for(int c : kept)
+      corner(c) = -1; // passed over below
     for(int c : corners)
     {
       if(source(c) != v)
         continue; // of a fan already split off
-      fan = ring(c);
-      if(std::find(fan.begin(), fan.end(), corners.front()) != fan.end())
-        continue;
       const int copy = number_of_vertices();
       m_origins.push_back(m_origins[v]);
-      for(int f : fan)
+      for(int f : ring(c))
       {
         opening.corners.emplace_back(f, v);
-        m_triangles[f / 3][f % 3] = copy;
+        corner(f) = copy;
       }
     }
+    for(int c : kept)
+      corner(c) = v;
   }
+
+  int& corner(int h) { return m_triangles[h / 3][h % 3]; }
 
   std::vector<Triangle> m_triangles;
   std::vector<int> m_opposites;

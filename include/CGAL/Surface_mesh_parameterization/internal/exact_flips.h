@@ -53,12 +53,14 @@ inline bool is_counterclockwise(const Eigen::Vector2d& a, const Eigen::Vector2d&
   constexpr double underflow_bound = 1e-290;
   if(std::abs(determinant) > error_bound + underflow_bound)
     return determinant > 0;
-  return is_finite(a) && is_finite(b) && is_finite(c) && exact_orientation(a, b, c) == COUNTERCLOCKWISE;
+  return is_finite(a) && is_finite(b) && is_finite(c)
+      && exact_orientation(a, b, c) == COUNTERCLOCKWISE;
 }
 
 // The number of triangles that are not strictly counterclockwise, decided exactly; their indices
 // are appended to `witness`.
-inline int count_flips(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv,
+inline int count_flips(const std::vector<Triangle>& triangles,
+                       const std::vector<Eigen::Vector2d>& uv,
                        std::vector<int>* witness = nullptr)
 {
   int flips = 0;

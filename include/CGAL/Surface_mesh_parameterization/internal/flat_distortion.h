@@ -30,7 +30,8 @@ namespace internal {
 
 // The energy of each triangle, infinite where the image is not counterclockwise.
 template <typename Energy>
-std::vector<double> face_energies(const std::vector<Rest_shape>& shapes, const std::vector<Triangle>& triangles,
+std::vector<double> face_energies(const std::vector<Rest_shape>& shapes,
+                                  const std::vector<Triangle>& triangles,
                                   const std::vector<Eigen::Vector2d>& uv)
 {
   std::vector<double> energies(shapes.size());
@@ -45,7 +46,8 @@ std::vector<double> face_energies(const std::vector<Rest_shape>& shapes, const s
 }
 
 // The average over the area of the surface.
-inline double area_average(const std::vector<Rest_shape>& shapes, const std::vector<double>& energies)
+inline double area_average(const std::vector<Rest_shape>& shapes,
+                           const std::vector<double>& energies)
 {
   double sum = 0, area = 0;
   for(std::size_t t = 0; t < shapes.size(); ++t)
@@ -58,7 +60,8 @@ inline double area_average(const std::vector<Rest_shape>& shapes, const std::vec
 
 // The factor to multiply a flip-free map with, so that its area-averaged symmetric Dirichlet energy
 // becomes as small as possible: that of |sJ|^2 + |(sJ)^-1|^2 = s^2 |J|^2 + s^-2 |J^-1|^2.
-inline double best_scale(const std::vector<Rest_shape>& shapes, const std::vector<Triangle>& triangles,
+inline double best_scale(const std::vector<Rest_shape>& shapes,
+                         const std::vector<Triangle>& triangles,
                          const std::vector<Eigen::Vector2d>& uv)
 {
   double stretch = 0, compression = 0;
@@ -76,7 +79,8 @@ inline double best_scale(const std::vector<Rest_shape>& shapes, const std::vecto
 // The average over the triangles at each vertex, weighted by area; 0 at an isolated vertex.
 inline std::vector<double> vertex_averages(const std::vector<Rest_shape>& shapes,
                                            const std::vector<Triangle>& triangles,
-                                           const std::vector<double>& face_values, int number_of_vertices)
+                                           const std::vector<double>& face_values,
+                                           int number_of_vertices)
 {
   std::vector<double> sums(number_of_vertices, 0), areas(number_of_vertices, 0);
   for(std::size_t t = 0; t < shapes.size(); ++t)
