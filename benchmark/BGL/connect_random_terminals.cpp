@@ -1,0 +1,98 @@
+// The paper's comparison of methods (Section 4.3): on each mesh, ten sets of random terminals of each size from four to
+// ten. Prints CSV, one line per set, and a summary on standard error. cumulative_ratios.gnuplot draws the
+// cumulative distributions of the ratios as in the paper's Figure 18.
+//
+//   connect_random_terminals FOLDER MESH... > ratios.csv
+//   gnuplot cumulative_ratios.gnuplot
+
+#include "edge_graph.h"
+
+#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
+
+#include <cstdlib>
+#include <exception>
+#include <iomanip>
+#include <iostream>
+
+namespace Core = CGAL::internal::Steiner_tree;
+
+struct Statistics
+{
+  std::vector<double> values;
+
+  double mean() const
+  {
+    double sum = 0.;
+    for(double v : values)
+      sum += v;
+    return sum / double(values.size());
+  }
+
+  double quantile(double q)
+  {
+    std::sort(values.begin(), values.end());
+    return values[std::size_t(q * double(values.size() - 1))];
+  }
+};
+
+int main(int argc, char** argv)
+{
+  if(argc < 3) {
+    std::cerr << "usage: " << argv[0] << " FOLDER MESH...\n";
+    return EXIT_FAILURE;
+  }
+  const Core::Method methods[] = {Core::Method::metric_closure, Core::Method::shortest_path_heuristic,
+                                  Core::Method::greedy_auxiliary_points, Core::Method::exact};
+  const char* names[] = {"mst", "sph", "greedy", "best"};
+  std::cout << "mesh,vertices,terminals,seed,optimal,lower_bound";
+  for(const char* name : names)
+    std::cout << ",length_" << name << ",seconds_" << name;
+  std::cout << "\n" << std::setprecision(12);
+
+  Statistics ratios[4], seconds[4];
+  int number_of_optimal[4] = {0, 0, 0, 0}, number_of_proofs = 0, number_of_sets = 0;
+  try {
+    for(int i = 2; i < argc; ++i) {
+      const Edge_graph mesh = read_edge_graph(std::string(argv[1]) + "/" + argv[i]);
+      for(unsigned int seed = 0; seed < 70; ++seed) {
+        CGAL::Random random(seed);
+        const int k = 4 + int(seed) % 7;
+        const std::vector<int> terminals = random_terminals(mesh.graph, k, random);
+        double lengths[4], times[4];
+        Core::Solution solution;
+        for(int m = 0; m < 4; ++m) {
+          Core::Options options;
+          options.method = methods[m];
+          options.minimum_length_decrease = 0.01 * mesh.diagonal; // Table 1
+          const double start = cpu_seconds();
+          solution = Core::solve<CGAL::Sequential_tag>(mesh.graph, terminals, options, [] { return true; });
+          times[m] = cpu_seconds() - start;
+          lengths[m] = solution.tree.length;
+          seconds[m].values.push_back(times[m]);
+        }
+        std::cout << argv[i] << "," << mesh.graph.number_of_vertices() << "," << k << "," << seed << ","
+                  << solution.is_optimal << "," << solution.lower_bound;
+        for(int m = 0; m < 4; ++m) {
+          const double ratio = lengths[m] / lengths[3];
+          ratios[m].values.push_back(ratio);
+          number_of_optimal[m] += ratio <= 1. + 1e-9;
+          std::cout << "," << lengths[m] << "," << times[m];
+        }
+        std::cout << "\n";
+        number_of_proofs += solution.is_optimal;
+        ++number_of_sets;
+      }
+    }
+  }
+  catch(const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+  std::cerr << number_of_sets << " sets, " << number_of_proofs << " proven optimal\n";
+  for(int m = 0; m < 4; ++m)
+    std::cerr << names[m] << ": optimal " << 100. * number_of_optimal[m] / number_of_sets << " %, mean ratio "
+              << std::setprecision(6) << ratios[m].mean() << ", maximum " << ratios[m].quantile(1.) << "; seconds: median "
+              << seconds[m].quantile(0.5) << ", mean " << seconds[m].mean() << ", maximum " << seconds[m].quantile(1.)
+              << "\n";
+  return EXIT_SUCCESS;
+}
