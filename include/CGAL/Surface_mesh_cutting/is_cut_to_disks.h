@@ -12,6 +12,8 @@
 #ifndef CGAL_SURFACE_MESH_CUTTING_IS_CUT_TO_DISKS_H
 #define CGAL_SURFACE_MESH_CUTTING_IS_CUT_TO_DISKS_H
 
+#include <CGAL/license/Surface_mesh_cutting.h>
+
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
