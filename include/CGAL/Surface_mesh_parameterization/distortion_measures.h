@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_DISTORTION_MEASURES_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_DISTORTION_MEASURES_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>

@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_FLAT_DISTORTION_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_FLAT_DISTORTION_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>

@@ -12,7 +12,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_POWER_OF_TWO_SCALE_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_POWER_OF_TWO_SCALE_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <Eigen/Core>
 
