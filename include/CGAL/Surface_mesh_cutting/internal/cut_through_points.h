@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_THROUGH_POINTS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_THROUGH_POINTS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
+#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The indices of some vertices of the caller's mesh.
+template <typename TriangleMesh, typename VertexPointMap, typename VertexRange>
+std::vector<int> read_vertices(const TriangleMesh& tmesh,
+                               const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
+                               const VertexRange& range)
+{
+  auto index = get(CGAL::dynamic_vertex_property_t<int>(), tmesh);
+  for(int v = 0; v < adapter.mesh().number_of_vertices(); ++v)
+    put(index, adapter.to_vertex(v), v);
+  std::vector<int> indices;
+  for(const auto& v : range)
+    indices.push_back(get(index, v));
+  return indices;
+}
+
+// Cuts the handles and then connects borders and terminals. The weight and its bound include those
+// of the mandatory edges.
+template <typename ConcurrencyTag, typename GoFurther>
+Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constraints,
+                                 const std::vector<int>& terminals, const Request& request,
+                                 GoFurther go_further)
+{
+  Connected_cut result;
+  const Handle_loops handles = cut_handles_of_components(mesh, constraints);
+  result.status = handles.status;
+  if(!result.status)
+    return result;
+  constraints.mandatory = handles.cut;
+  CGAL::internal::Steiner_tree::Options options = request.parameters.connection;
+  options.minimum_length_decrease
+    = request.parameters.minimum_length_decrease * bounding_box_diagonal(mesh);
+  result = connect_in_chart<ConcurrencyTag>(mesh, constraints, terminals, options, go_further);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(constraints.mandatory[e])
+    {
+      result.weight += constraints.weights[e];
+      result.lower_bound += constraints.weights[e];
+    }
+  if(result.status && request.needs_optimal_tree && !result.is_optimal)
+    result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
+                                "the connection is not proven to be the shortest one");
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_THROUGH_POINTS_H
