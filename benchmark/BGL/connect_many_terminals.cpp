@@ -1,4 +1,4 @@
-// Time of the greedy and of the exact method on one mesh, with many random terminals.
+// Time of the greedy method, local search, and the exact method on one mesh, with many random terminals.
 //
 //   connect_many_terminals MESH NUMBER_OF_TERMINALS [NUMBER_OF_SETS]
 
@@ -19,6 +19,11 @@ typedef CGAL::Parallel_tag Concurrency_tag;
 typedef CGAL::Sequential_tag Concurrency_tag;
 #endif
 
+const char* name(Core::Method method)
+{
+  return method == Core::Method::exact ? "exact" : method == Core::Method::local_search ? "local" : "greedy";
+}
+
 int main(int argc, char** argv)
 {
   if(argc < 3) {
@@ -32,7 +37,7 @@ int main(int argc, char** argv)
     for(int seed = 0; seed < number_of_sets; ++seed) {
       CGAL::Random random(static_cast<unsigned int>(seed));
       const std::vector<int> terminals = random_terminals(mesh.graph, k, random);
-      for(Core::Method method : {Core::Method::greedy_auxiliary_points, Core::Method::exact}) {
+      for(Core::Method method : {Core::Method::greedy_auxiliary_points, Core::Method::local_search, Core::Method::exact}) {
         Core::Options options;
         options.method = method;
         options.minimum_length_decrease = 0.01 * mesh.diagonal;
@@ -41,7 +46,7 @@ int main(int argc, char** argv)
         const double start = cpu_seconds();
         const Core::Solution solution =
           Core::solve<Concurrency_tag>(mesh.graph, terminals, options, [] { return true; });
-        std::cout << seed << "," << (method == Core::Method::exact ? "exact" : "greedy") << ","
+        std::cout << seed << "," << name(method) << ","
                   << solution.tree.length << "," << solution.lower_bound << "," << solution.is_optimal << ","
                   << timer.time() << "," << cpu_seconds() - start << std::endl;
       }

@@ -41,16 +41,18 @@ int main(int argc, char** argv)
     std::cerr << "usage: " << argv[0] << " FOLDER MESH...\n";
     return EXIT_FAILURE;
   }
-  const Core::Method methods[] = {Core::Method::metric_closure, Core::Method::shortest_path_heuristic,
-                                  Core::Method::greedy_auxiliary_points, Core::Method::exact};
-  const char* names[] = {"mst", "sph", "greedy", "best"};
+  const int best = 4, count = 5;
+  const Core::Method methods[count] = {Core::Method::metric_closure, Core::Method::shortest_path_heuristic,
+                                  Core::Method::greedy_auxiliary_points, Core::Method::local_search,
+                                  Core::Method::exact};
+  const char* names[count] = {"mst", "sph", "greedy", "local", "best"};
   std::cout << "mesh,vertices,terminals,seed,optimal,lower_bound";
   for(const char* name : names)
     std::cout << ",length_" << name << ",seconds_" << name;
   std::cout << "\n" << std::setprecision(12);
 
-  Statistics ratios[4], seconds[4];
-  int number_of_optimal[4] = {0, 0, 0, 0}, number_of_proofs = 0, number_of_sets = 0;
+  Statistics ratios[count], seconds[count];
+  int number_of_optimal[count] = {}, number_of_proofs = 0, number_of_sets = 0;
   try {
     for(int i = 2; i < argc; ++i) {
       const Edge_graph mesh = read_edge_graph(std::string(argv[1]) + "/" + argv[i]);
@@ -58,9 +60,9 @@ int main(int argc, char** argv)
         CGAL::Random random(seed);
         const int k = 4 + int(seed) % 7;
         const std::vector<int> terminals = random_terminals(mesh.graph, k, random);
-        double lengths[4], times[4];
+        double lengths[count], times[count];
         Core::Solution solution;
-        for(int m = 0; m < 4; ++m) {
+        for(int m = 0; m < count; ++m) {
           Core::Options options;
           options.method = methods[m];
           options.minimum_length_decrease = 0.01 * mesh.diagonal; // Table 1
@@ -72,8 +74,8 @@ int main(int argc, char** argv)
         }
         std::cout << argv[i] << "," << mesh.graph.number_of_vertices() << "," << k << "," << seed << ","
                   << solution.is_optimal << "," << solution.lower_bound;
-        for(int m = 0; m < 4; ++m) {
-          const double ratio = lengths[m] / lengths[3];
+        for(int m = 0; m < count; ++m) {
+          const double ratio = lengths[m] / lengths[best];
           ratios[m].values.push_back(ratio);
           number_of_optimal[m] += ratio <= 1. + 1e-9;
           std::cout << "," << lengths[m] << "," << times[m];
@@ -89,7 +91,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   std::cerr << number_of_sets << " sets, " << number_of_proofs << " proven optimal\n";
-  for(int m = 0; m < 4; ++m)
+  for(int m = 0; m < count; ++m)
     std::cerr << names[m] << ": optimal " << 100. * number_of_optimal[m] / number_of_sets << " %, mean ratio "
               << std::setprecision(6) << ratios[m].mean() << ", maximum " << ratios[m].quantile(1.) << "; seconds: median "
               << seconds[m].quantile(0.5) << ", mean " << seconds[m].mean() << ", maximum " << seconds[m].quantile(1.)

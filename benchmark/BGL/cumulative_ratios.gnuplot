@@ -11,6 +11,7 @@ set key bottom right
 file = "ratios.csv"
 stats file using 4 every ::1 nooutput
 n = STATS_records
-plot file every ::1 using ($7/$13):(1./n) smooth cumulative title "MST", \
-     file every ::1 using ($9/$13):(1./n) smooth cumulative title "SPH", \
-     file every ::1 using ($11/$13):(1./n) smooth cumulative title "greedy"
+plot file every ::1 using ($7/$15):(1./n) smooth cumulative title "MST", \
+     file every ::1 using ($9/$15):(1./n) smooth cumulative title "SPH", \
+     file every ::1 using ($11/$15):(1./n) smooth cumulative title "greedy", \
+     file every ::1 using ($13/$15):(1./n) smooth cumulative title "local search"

@@ -55,7 +55,7 @@ inline Core::Solution solve(const Core::Csr_graph& graph, const std::vector<int>
 
 const Core::Method heuristics[] = {
   Core::Method::metric_closure, Core::Method::shortest_path_heuristic, Core::Method::greedy_auxiliary_points,
-  Core::Method::greedy_auxiliary_points_and_shortest_paths};
+  Core::Method::greedy_auxiliary_points_and_shortest_paths, Core::Method::local_search};
 
 // all methods on one problem whose optimum is known
 inline void check_all_methods(const Core::Csr_graph& graph, const std::vector<int>& terminals, double optimum)

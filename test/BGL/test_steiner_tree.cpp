@@ -68,6 +68,7 @@ void test_star()
   CHECK(length(params::algorithm(ST::Greedy_auxiliary_points_tag<>())) == 3.);
   CHECK(length(params::algorithm(ST::Greedy_auxiliary_points_tag<ST::Shortest_path_heuristic_tag>())) == 3.);
   CHECK(length(params::algorithm(ST::Greedy_auxiliary_points_tag<>()).minimum_length_decrease(1.)) > 3.);
+  CHECK(length(params::algorithm(ST::Local_search_tag())) == 3.);
   CHECK(length(params::algorithm(ST::Dynamic_programming_tag())) == 3.);
   CHECK(length(params::algorithm(ST::Exact_tag())) == 3.);
 

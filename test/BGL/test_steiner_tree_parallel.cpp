@@ -11,7 +11,7 @@ template <typename ConcurrencyTag>
 std::vector<std::vector<int>> trees(const Core::Csr_graph& graph, const std::vector<int>& terminals)
 {
   std::vector<std::vector<int>> result;
-  for(Core::Method method : {Core::Method::greedy_auxiliary_points, Core::Method::exact}) {
+  for(Core::Method method : {Core::Method::greedy_auxiliary_points, Core::Method::local_search, Core::Method::exact}) {
     Core::Options options;
     options.method = method;
     result.push_back(Core::solve<ConcurrencyTag>(graph, terminals, options, [] { return true; }).tree.edges);

@@ -54,7 +54,7 @@ ST::Result connect(const Problem& problem, const std::string& method, const Time
   if(method == "sph")
     return run(ST::Shortest_path_heuristic_tag());
   if(method == "greedy")
-    return run(ST::Greedy_auxiliary_points_tag<>());
+    return run(ST::Local_search_tag());
   if(method == "exact")
     return run(ST::Exact_tag());
   return run(ST::Best_tag());

@@ -14,6 +14,7 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/textbook_dynamic_programme.h>
@@ -33,6 +34,7 @@ enum class Method
   shortest_path_heuristic,
   greedy_auxiliary_points,                    // the points connected along the metric closure
   greedy_auxiliary_points_and_shortest_paths, // or by the shortest path heuristic
+  local_search,
   textbook,
   exact
 };
@@ -73,7 +75,7 @@ inline bool are_connected(const Csr_graph& graph, const std::vector<int>& termin
 }
 
 // vertices that branch the tree without being terminals
-inline int number_of_branch_vertices(const Csr_graph& graph, const std::vector<int>& terminals, const Tree& tree)
+inline std::vector<int> branch_vertices(const Csr_graph& graph, const std::vector<int>& terminals, const Tree& tree)
 {
   std::vector<int> ends;
   for(int e : tree.edges) {
@@ -81,11 +83,11 @@ inline int number_of_branch_vertices(const Csr_graph& graph, const std::vector<i
     ends.push_back(graph.edges[e].target);
   }
   std::sort(ends.begin(), ends.end());
-  int result = 0;
+  std::vector<int> result;
   for(auto it = ends.begin(); it != ends.end();) {
     const auto next = std::upper_bound(it, ends.end(), *it);
     if(next - it >= 3 && std::find(terminals.begin(), terminals.end(), *it) == terminals.end())
-      ++result;
+      result.push_back(*it);
     it = next;
   }
   return result;
@@ -104,6 +106,20 @@ Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, cons
     keys.push_back(points.auxiliary_point(i));
   const Tree grown = shortest_path_heuristic(graph, keys, terminal_of_nearest_pair(graph, keys));
   return make_tree(graph, terminals, grown.edges);
+}
+
+// local search from two sides: from the terminals, and from the branches that the shortest path heuristic finds
+template <typename ConcurrencyTag, typename GoFurther>
+Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals, GoFurther go_further)
+{
+  const Tree grown = shortest_path_heuristic(graph, terminals, terminal_of_nearest_pair(graph, terminals));
+  const double minimum_decrease = 1e-10 * grown.length;
+  Key_points points(graph, terminals, ConcurrencyTag());
+  const Tree first = local_search(points, minimum_decrease, ConcurrencyTag(), go_further);
+  for(int v : branch_vertices(graph, terminals, grown))
+    points.insert(v);
+  const Tree second = local_search(points, minimum_decrease, ConcurrencyTag(), go_further);
+  return second.length < first.length ? second : first;
 }
 
 // connects the terminals, which must be different vertices. `go_further()` is asked between steps; false cancels.
@@ -132,6 +148,9 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
   case Method::greedy_auxiliary_points:
   case Method::greedy_auxiliary_points_and_shortest_paths:
     solution.tree = greedy_tree<ConcurrencyTag>(graph, terminals, options, go_further);
+    break;
+  case Method::local_search:
+    solution.tree = local_search_tree<ConcurrencyTag>(graph, terminals, go_further);
     break;
   case Method::textbook:
     if(std::ldexp(double(graph.number_of_vertices()), int(terminals.size()) - 1) >
