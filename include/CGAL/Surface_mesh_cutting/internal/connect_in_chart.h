@@ -205,8 +205,8 @@ private:
     open(halfedges);
     m_result.lower_bound += solution.lower_bound;
     m_result.is_optimal = m_result.is_optimal && solution.is_optimal;
-    m_result.number_of_auxiliary_points += CGAL::internal::Steiner_tree::number_of_branch_vertices(
-      part.graph, part.terminals, solution.tree);
+    m_result.number_of_auxiliary_points += int(CGAL::internal::Steiner_tree::branch_vertices(
+      part.graph, part.terminals, solution.tree).size());
   }
 
   void open(const std::vector<int>& halfedges)
