@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_CREASE_WEIGHTS_H
+#define CGAL_SURFACE_MESH_CUTTING_CREASE_WEIGHTS_H
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/flatness.h>
+#include <CGAL/Surface_mesh_cutting/internal/put_weights.h>
+#include <CGAL/Surface_mesh_cutting/Status.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// computes edge weights that make a cut follow sharp edges.
+///
+/// The weight of an edge is its length times a factor: 1 where the two faces lie in a plane,
+/// `smallest_factor` where they meet at a right angle or less, and in between linear in
+/// the cosine of the angle between their normals. Border edges get their length. Linear in the size
+/// of the surface.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam EdgeWeightMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a value type that
+///         `double` converts to
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface
+/// \param edge_weight_map receives the weights; they suit the named parameter `edge_weight_map` of
+///        `connect_points()` and `cut_handles()`
+/// \param smallest_factor how little a sharp edge counts, between 0 and 1
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+///                    `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for a surface that the package
+///         does not take, `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`,
+///         `Status_code::NON_MANIFOLD` or `Status_code::INVALID_POINT`. The weights are written if
+///         it is `Status_code::OK`.
+///
+/// \sa `visibility_weights()`
+template <typename TriangleMesh, typename EdgeWeightMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Status<TriangleMesh> crease_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
+                                    double smallest_factor = 0.2,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  return internal::put_weights(tmesh, edge_weight_map, smallest_factor, np, internal::flatness);
+}
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_CREASE_WEIGHTS_H

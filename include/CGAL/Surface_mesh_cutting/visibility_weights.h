@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_VISIBILITY_WEIGHTS_H
+#define CGAL_SURFACE_MESH_CUTTING_VISIBILITY_WEIGHTS_H
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/put_weights.h>
+#include <CGAL/Surface_mesh_cutting/internal/Visibility.h>
+#include <CGAL/Surface_mesh_cutting/Status.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// computes edge weights that make a cut hide where the surface is hard to see.
+///
+/// The weight of an edge is its length times a factor: `smallest_factor` where nothing can be seen
+/// from the middle of the edge but the surface itself, 1 where the surface does not get into
+/// the view, and in between linear in the part of the view that is free (ambient occlusion). It is
+/// sampled by random rays, distributed by the cosine of their angle with the normal. The
+/// surface is seen from the side that its normals point to.
+///
+/// With \f$ n \f$ edges and \f$ k \f$ rays, the time is \f$ O(k\,n \log n) \f$ on most surfaces.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
+///         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the
+///         same.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam EdgeWeightMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a value type that
+///         `double` converts to
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface
+/// \param edge_weight_map receives the weights; they suit the named parameter `edge_weight_map` of
+///        `connect_points()` and `cut_handles()`
+/// \param number_of_rays the number of rays per edge, at least one
+/// \param smallest_factor how little a hidden edge counts, between 0 and 1
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+///                    `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{the seed of the directions of the rays}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for a surface that the package
+///         does not take, `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`,
+///         `Status_code::NON_MANIFOLD` or `Status_code::INVALID_POINT`. The weights are written if
+///         it is `Status_code::OK`.
+///
+/// \sa `crease_weights()`
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeWeightMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
+                                        int number_of_rays = 64, double smallest_factor = 0.2,
+                                        const NamedParameters& np = parameters::default_values())
+{
+  if(number_of_rays < 1)
+  {
+    Status<TriangleMesh> status;
+    status.code = Status_code::WRONG_PARAMETER;
+    status.message = "number_of_rays must be at least 1";
+    return status;
+  }
+  const unsigned int seed = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::random_seed), 0u);
+  return internal::put_weights(
+    tmesh, edge_weight_map, smallest_factor, np,
+    [&](const internal::Flat_mesh& mesh)
+    { return internal::visibilities<ConcurrencyTag>(mesh, number_of_rays, seed); });
+}
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_VISIBILITY_WEIGHTS_H
