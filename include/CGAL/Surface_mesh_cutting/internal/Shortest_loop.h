@@ -77,6 +77,10 @@ public:
 private:
   using Word = Tree_cotree::Word;
 
+  // How far beyond the length of the present loop to search: larger lower bounds spare more roots
+  // than they cost.
+  static constexpr double reach = 1.25;
+
   // The edge at which the two paths from a root meet.
   struct Closure
   {
@@ -101,7 +105,7 @@ private:
   // Returns whether a loop shorter than the present one was found.
   bool search(int root)
   {
-    Closure best{m_loop.weight, -1};
+    Closure best{reach * m_loop.weight, -1};
     m_paths.clear();
     m_paths.add_source(root);
     m_paths.run([&](int v)
@@ -118,7 +122,7 @@ private:
       m_is_settled[v] = 0;
       m_lower_bounds[v] = (std::max)(m_lower_bounds[v], best.weight - 2 * m_paths.distance(v));
     }
-    if(best.edge < 0)
+    if(best.edge < 0 || best.weight >= m_loop.weight)
       return false;
     m_loop = extract(best);
     return true;
