@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <iomanip>
@@ -45,9 +46,13 @@ typedef boost::graph_traits<Graph>::edge_descriptor Edge;
 
 ST::Result connect(const Problem& problem, const std::string& method, const Time_limit& limit, std::vector<Edge>& tree)
 {
+  // whoever asks for a proof gets more memory for it, up to some gigabytes
+  const std::size_t maximum_number_of_states = method == "exact" ? 100000000 : 20000000;
   const auto run = [&](auto tag) {
     return CGAL::steiner_tree(problem.graph, problem.terminals, std::back_inserter(tree),
-                              CGAL::parameters::algorithm(tag).visitor(std::ref(limit)));
+                              CGAL::parameters::algorithm(tag)
+                                .visitor(std::ref(limit))
+                                .maximum_number_of_states(maximum_number_of_states));
   };
   if(method == "mst")
     return run(ST::Metric_closure_tag());

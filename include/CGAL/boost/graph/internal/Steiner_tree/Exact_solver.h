@@ -89,7 +89,7 @@ private:
       improve(local_search(points, tolerance * m_best.length, ConcurrencyTag(), m_go_further));
     }
     // the programme with few states first; if these do not suffice, more effort for the bounds on both sides pays
-    if(!reduce_repeatedly(1, 0.7) || search(m_maximum_number_of_states / 200) || !m_go_further())
+    if(!reduce_repeatedly(1, 0.7) || search(m_maximum_number_of_states / 20) || !m_go_further())
       return;
     search_locally_in_perturbed_graphs();
     if(reduce_repeatedly(4, 0.98))
@@ -100,7 +100,7 @@ private:
   {
     const std::vector<int>& terminals = m_instance.terminals();
     const double work = double(m_instance.graph().arcs.size()) * double(terminals.size());
-    const int number_of_trials = int((std::min)(100., double(m_maximum_number_of_states) / work));
+    const int number_of_trials = int((std::min)(1000., double(m_maximum_number_of_states) / work));
     for(int i = 0; i < number_of_trials && m_go_further(); ++i) {
       const Csr_graph graph = perturbed(m_instance.graph(), i);
       const Key_points points(graph, terminals, ConcurrencyTag());
