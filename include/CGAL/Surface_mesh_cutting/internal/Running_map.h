@@ -76,7 +76,7 @@ public:
     {
       for(int e : slit)
         m_cut[e] = 1;
-      m_energy = solve(options()).energy;
+      converge();
       return true;
     }
     m_chart.close(opening);
@@ -94,9 +94,35 @@ public:
   }
 
 private:
+  // Far from the optimum, which a slit that changes much can leave the map, starting anew through
+  // the hierarchy takes fewer solves than going on.
+  void converge()
+  {
+    constexpr int patience = 6;
+    Newton_options o = options();
+    o.maximum_iterations = patience;
+    Newton_result result = solve(o);
+    if(result.outcome == Newton_outcome::ITERATION_LIMIT)
+    {
+      std::vector<Eigen::Vector2d> warm_uv = m_uv;
+      Chart_parameterizer<LinearSolver> parameterizer(m_chart, chart_points(m_mesh, m_chart), m_shapes);
+      const Newton_result cold = parameterizer.isometric_map(m_uv, options());
+      if(cold.energy < result.energy)
+        result = cold;
+      else
+      {
+        m_uv.swap(warm_uv);
+        result = solve(options());
+      }
+    }
+    m_energy = result.energy;
+  }
+
+  // The energy has to be known far better than epsilon_iso, not better.
   Newton_options options()
   {
     Newton_options o;
+    o.decrement = 1e-5;
     o.stop = [this](const Newton_state&) { return !m_control.go_further(); };
     return o;
   }

@@ -24,6 +24,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
 
+#include <CGAL/Eigen_solver_traits.h>
+
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -117,22 +119,32 @@ Run_control make_run_control(Visitor& visitor, double seconds)
     [&visitor](Phase phase, double fraction) { visitor.progress(phase, fraction); });
 }
 
-// The engine's solver for what `sparse_linear_solver` gives: nothing, one of the engine's own, or a
-// model of CGAL's `SparseLinearAlgebraTraits_d`.
-template <typename Solver, typename = void>
+// The engine's solver for what `sparse_linear_solver` gives, a model of CGAL's
+// `SparseLinearAlgebraTraits_d`: the engine drives the solvers it knows without copying matrices.
+template <typename SolverTraits>
 struct Engine_solver
 {
-  using type = Surface_mesh_parameterization::internal::Traits_solver<Solver>;
+  using type = Surface_mesh_parameterization::internal::Traits_solver<SolverTraits>;
 };
-template <typename Solver>
-struct Engine_solver<Solver, std::void_t<decltype(&Solver::analyze)> >
+template <typename Matrix, int UpLo, typename Ordering>
+struct Engine_solver<Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix, UpLo, Ordering> > >
 {
-  using type = Solver;
+  using type = Surface_mesh_parameterization::internal::Simplicial_solver;
 };
+#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
+template <typename Matrix, int UpLo>
+struct Engine_solver<Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix, UpLo> > >
+{
+  using type = Surface_mesh_parameterization::internal::Supernodal_solver;
+};
+#endif
+
+using Default_solver_traits = Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > >;
+
 template <typename NamedParameters>
 using Engine_solver_of = typename Engine_solver<std::decay_t<
   typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t, NamedParameters,
-                                               Surface_mesh_parameterization::internal::Simplicial_solver>::type> >::type;
+                                               Default_solver_traits>::type> >::type;
 
 } // namespace internal
 } // namespace Surface_mesh_cutting

@@ -105,8 +105,10 @@ public:
   // Undoes collapses until `size` vertices are there, extending the flip-free map `uv` (over the
   // vertices of the whole chart). False if a star has no kernel in floating point; then that
   // collapse alone is undone and `uv` is not valid.
+  template <typename Energy>
   bool refine_to(int size, std::vector<Eigen::Vector2d>& uv)
   {
+    Star_placement<Energy> place;
     while(m_number_of_vertices < size && m_chart.number_of_collapses() > 0)
     {
       const int v = m_chart.undo();
@@ -115,7 +117,7 @@ public:
       m_star.clear();
       for(int h : m_fan)
         m_star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape(h)});
-      if(!m_place(m_star, uv[v]))
+      if(!place(m_star, uv[v]))
         return false;
     }
     return true;
@@ -135,7 +137,6 @@ private:
   int m_number_of_vertices = 0;
   std::vector<int> m_fan;
   std::vector<Star_triangle> m_star;
-  Star_placement m_place;
 };
 
 } // namespace internal

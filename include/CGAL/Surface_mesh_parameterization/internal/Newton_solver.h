@@ -105,21 +105,29 @@ public:
     {
       if(!find_direction<Energy>(shapes, weights, uv, result))
         return result;
-      if(options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement}))
+      m_memory.clear();
+      for(int i = 0; i <= maximum_reuse; ++i)
       {
-        result.outcome = Newton_outcome::STOPPED;
-        return result;
-      }
-      for(std::size_t v = 0; v < uv.size(); ++v)
-        if(m_system.unknown(int(v)) >= 0)
-          direction[v] = -m_step.segment<2>(m_system.unknown(int(v)));
-      const bool is_converged = result.decrement <= options.decrement * result.energy;
-      const double former = result.energy;
-      const bool has_moved = line_search<Energy>(shapes, weights, direction, uv, trial, result);
-      if(is_converged || !has_moved || former - result.energy <= 1e-14 * former)
-      {
-        result.outcome = is_converged ? Newton_outcome::CONVERGED : Newton_outcome::STALLED;
-        return result;
+        if(options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement}))
+        {
+          result.outcome = Newton_outcome::STOPPED;
+          return result;
+        }
+        for(std::size_t v = 0; v < uv.size(); ++v)
+          if(m_system.unknown(int(v)) >= 0)
+            direction[v] = -m_step.segment<2>(m_system.unknown(int(v)));
+        const bool is_converged = result.decrement <= options.decrement * result.energy;
+        const double former = result.energy;
+        const double t = line_search<Energy>(shapes, weights, direction, uv, trial, result);
+        const double decrease = former - result.energy;
+        if(is_converged || (i == 0 && decrease <= 1e-14 * former))
+        {
+          result.outcome = is_converged ? Newton_outcome::CONVERGED : Newton_outcome::STALLED;
+          return result;
+        }
+        // A factorization serves as long as it predicts what its directions gain.
+        if(decrease < 0.1 * result.decrement || !find_reused_direction<Energy>(shapes, weights, uv, t, result))
+          break;
       }
       if(result.iterations >= options.maximum_iterations)
       {
@@ -148,6 +156,15 @@ public:
   }
 
 private:
+  struct Curvature_pair
+  {
+    Eigen::VectorXd step, gradient_change;
+    double product = 0;
+  };
+
+  // How many further directions one factorization serves at most.
+  static constexpr int maximum_reuse = 8;
+
   // Assembles and solves for the Newton direction. The diagonal shift is relative to each entry: it
   // fixes the gauge (MIPS does not depend on scale and rotation) and grows only where rounding
   // makes the factorization of an ill-conditioned matrix fail.
@@ -172,11 +189,48 @@ private:
     return false;
   }
 
+  // The next direction from the factorization at hand: L-BFGS with the latest projected Hessian as
+  // the initial one. A direction costs a few triangular solves, a small part of a factorization, and
+  // makes up for what projection adds to the stiffness of far-off maps. `t`: the step just taken.
+  template <typename Energy>
+  bool find_reused_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                             const std::vector<Eigen::Vector2d>& uv, double t, Newton_result& result)
+  {
+    Curvature_pair pair{-t * m_step, -m_system.gradient()};
+    m_system.template assemble_gradient<Energy>(m_triangles, shapes, weights, uv);
+    pair.gradient_change += m_system.gradient();
+    pair.product = pair.step.dot(pair.gradient_change);
+    if(!(pair.product > 0))
+      return false;
+    m_memory.push_back(std::move(pair));
+    apply_inverse(m_system.gradient());
+    result.decrement = m_system.gradient().dot(m_step);
+    return std::isfinite(result.decrement) && result.decrement > 0;
+  }
+
+  // The two-loop recursion of L-BFGS; the result is left in m_step.
+  void apply_inverse(Eigen::VectorXd q)
+  {
+    std::vector<double> alphas(m_memory.size());
+    for(std::size_t i = m_memory.size(); i-- > 0;)
+    {
+      alphas[i] = m_memory[i].step.dot(q) / m_memory[i].product;
+      q -= alphas[i] * m_memory[i].gradient_change;
+    }
+    m_step = m_solver.solve(q);
+    for(std::size_t i = 0; i < m_memory.size(); ++i)
+    {
+      const double beta = m_memory[i].gradient_change.dot(m_step) / m_memory[i].product;
+      m_step += (alphas[i] - beta) * m_memory[i].step;
+    }
+  }
+
   // Backtracking with Armijo's condition from the full Newton step, or what is flip-free of it. Where
   // the full step is accepted, longer ones are tried: while tiny triangles grow by orders of
-  // magnitude, the quadratic model sees only a factor of two per step.
+  // magnitude, the quadratic model sees only a factor of two per step. Returns the step, 0 if none
+  // was found.
   template <typename Energy>
-  bool line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+  double line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
                    const std::vector<Eigen::Vector2d>& direction, std::vector<Eigen::Vector2d>& uv,
                    std::vector<Eigen::Vector2d>& trial, Newton_result& result) const
   {
@@ -194,7 +248,7 @@ private:
     for(int i = 0; i < maximum_trials && !(e <= result.energy - armijo * t * result.decrement); ++i)
       e = energy_at(t *= backtracking);
     if(!(e <= result.energy - armijo * t * result.decrement))
-      return false;
+      return 0;
     if(t == first)
       for(double longer = 2 * t; longer < longest; longer *= 2)
       {
@@ -206,13 +260,14 @@ private:
       }
     result.energy = energy_at(t);
     uv.swap(trial);
-    return true;
+    return t;
   }
 
   std::vector<Triangle> m_triangles;
   Newton_system m_system;
   LinearSolver m_solver;
   Eigen::VectorXd m_step;
+  std::vector<Curvature_pair> m_memory;
 };
 
 } // namespace internal

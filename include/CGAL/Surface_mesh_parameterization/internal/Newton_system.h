@@ -101,6 +101,23 @@ public:
     return energy;
   }
 
+  // The gradient of the same sum, without the Hessian.
+  template <typename Energy>
+  void assemble_gradient(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
+                         const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv)
+  {
+    m_gradient.setZero();
+    Eigen::Vector2d gradient[3];
+    for(std::size_t f = 0; f < triangles.size(); ++f)
+    {
+      const Triangle& t = triangles[f];
+      triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient);
+      for(int k = 0; k < 3; ++k)
+        if(m_positions[t[k]] >= 0)
+          m_gradient.segment<2>(2 * m_positions[t[k]]) += weights[f] * gradient[k];
+    }
+  }
+
 private:
   static void add_to_block(double* block, int stride, double a00, double a01, double a10, double a11)
   {

@@ -26,14 +26,14 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// A flip-free map of low isometric distortion from nothing: the coarsest stage of the hierarchy is
-// mapped by Tutte's embedding, each stage is optimized and handed to the next, twice as large. `uv`
-// is near the optimum of the symmetric Dirichlet energy on return, but not optimized at full
-// resolution. False if no stage could be mapped or extended without flips.
+// A flip-free map of low energy from nothing: the coarsest stage of the hierarchy is mapped by
+// Tutte's embedding, each stage is optimized and handed to the next, twice as large. `uv` is near
+// the optimum on return, but not optimized at full resolution. False if no stage could be mapped or
+// extended without flips.
 //
 // Coarse stages are solved tightly: the slow modes of charts far from their optimum are global, and
 // every iteration saved at full resolution pays for many there.
-template <typename LinearSolver = Simplicial_solver>
+template <typename Energy, typename LinearSolver>
 bool hierarchical_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
                       std::vector<Eigen::Vector2d>& uv)
 {
@@ -53,10 +53,10 @@ bool hierarchical_map(const Chart& chart, const std::vector<Eigen::Vector3d>& po
     if(is_first && !tutte_map(stage.chart, stage.points, surface_area(stage.shapes), stage_uv))
       return false;
     Newton_solver<LinearSolver> solver(stage.chart.triangles(), stage.chart.number_of_vertices());
-    solver.template minimize<Symmetric_Dirichlet_energy>(stage.shapes, area_weights(stage.shapes), stage_uv, options);
+    solver.template minimize<Energy>(stage.shapes, area_weights(stage.shapes), stage_uv, options);
     for(std::size_t v = 0; v < stage_uv.size(); ++v)
       uv[stage.vertices[v]] = stage_uv[v];
-    if(!hierarchy.refine_to(growth * hierarchy.number_of_vertices(), uv))
+    if(!hierarchy.refine_to<Energy>(growth * hierarchy.number_of_vertices(), uv))
       return false;
   }
   return count_flips(chart.triangles(), uv) == 0;

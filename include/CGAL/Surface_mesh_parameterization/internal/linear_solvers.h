@@ -19,6 +19,7 @@
 #include <Eigen/SparseCore>
 
 #include <limits>
+#include <memory>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -76,26 +77,28 @@ private:
 };
 #endif
 
-// What CGAL's named parameter `sparse_linear_solver` gives: a model of `SparseLinearAlgebraTraits_d`
-// with `factor()`, such as `Eigen_solver_traits` of a direct Eigen solver.
+// What CGAL's named parameter `sparse_linear_solver` gives: a model of
+// `SparseLinearAlgebraWithFactorTraits_d`, such as `Eigen_solver_traits` of a direct Eigen solver.
 template <typename SolverTraits>
 class Traits_solver
 {
+  using Matrix = typename SolverTraits::Matrix;
+
 public:
   void analyze(const Sparse_matrix&) {}
   bool factorize(const Sparse_matrix& upper)
   {
     // `factor()` keeps a reference to the matrix: it has to live as long as the solver.
-    m_matrix = typename SolverTraits::Matrix(std::size_t(upper.rows()), std::size_t(upper.cols()));
+    m_matrix = std::make_unique<Matrix>(std::size_t(upper.rows()), std::size_t(upper.cols()));
     for(int column = 0; column < upper.outerSize(); ++column)
       for(Sparse_matrix::InnerIterator it(upper, column); it; ++it)
       {
-        m_matrix.set_coef(it.row(), it.col(), it.value(), true);
+        m_matrix->set_coef(it.row(), it.col(), it.value(), true);
         if(it.row() != it.col())
-          m_matrix.set_coef(it.col(), it.row(), it.value(), true);
+          m_matrix->set_coef(it.col(), it.row(), it.value(), true);
       }
     typename SolverTraits::NT determinant;
-    return m_traits.factor(m_matrix, determinant);
+    return m_traits.factor(*m_matrix, determinant);
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& b)
   {
@@ -113,7 +116,7 @@ public:
 
 private:
   SolverTraits m_traits;
-  typename SolverTraits::Matrix m_matrix = typename SolverTraits::Matrix(0);
+  std::unique_ptr<Matrix> m_matrix;
 };
 
 } // namespace internal

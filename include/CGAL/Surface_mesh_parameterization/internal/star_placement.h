@@ -16,7 +16,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flip_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/triangle_energy.h>
 
@@ -62,9 +61,10 @@ inline void clip_polygon(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   polygon.swap(buffer);
 }
 
-// Finds where the center of a star can be put so that all its triangles are positive, as isometric
-// as possible: the centroid of the kernel, then Newton's method on the center alone. False if the
+// Finds where the center of a star can be put so that all its triangles are positive, with as little
+// energy as possible: the centroid of the kernel, then Newton's method on the center alone. False if the
 // kernel has no interior in floating point.
+template <typename Energy>
 class Star_placement
 {
 public:
@@ -118,7 +118,7 @@ private:
       const double x = w.x(), y = w.y();
       if(!(x > y) || !(doubled_area(center, t.a, t.b) > 0))
         return std::numeric_limits<double>::infinity();
-      sum += t.shape.area * Symmetric_Dirichlet_energy::value(x, y);
+      sum += t.shape.area * Energy::value(x, y);
     }
     return sum;
   }
@@ -134,7 +134,7 @@ private:
       Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
       for(const Star_triangle& t : star)
       {
-        triangle_terms<Symmetric_Dirichlet_energy>(t.shape, center, t.a, t.b, terms);
+        triangle_terms<Energy>(t.shape, center, t.a, t.b, terms);
         gradient += t.shape.area * terms.gradient[0];
         hessian += t.shape.area * terms.diagonal[0];
       }

@@ -160,6 +160,20 @@ void triangle_terms(const Rest_shape& shape, const Eigen::Vector2d& u0, const Ei
   }
 }
 
+// Energy and gradient alone, per unit of area.
+template <typename Energy>
+double triangle_gradient(const Rest_shape& shape, const Eigen::Vector2d& u0, const Eigen::Vector2d& u1,
+                         const Eigen::Vector2d& u2, Eigen::Vector2d gradient[3])
+{
+  const Wirtinger_derivatives f = wirtinger_derivatives(shape, u0, u1, u2);
+  const Energy_derivatives e = Energy::derivatives(f.x(), f.y());
+  const Eigen::Vector2d z = e.x * f.z, c = e.y * f.conjugate;
+  const Eigen::Vector2d* const g[3] = {&shape.g0, &shape.g1, &shape.g2};
+  for(int i = 0; i < 3; ++i)
+    gradient[i] = complex::product(*g[i], z) + complex::conjugate_product(*g[i], c);
+  return e.value;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL
