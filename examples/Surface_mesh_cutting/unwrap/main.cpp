@@ -32,7 +32,7 @@ Outcome run(const Options& options)
   Outcome outcome;
   outcome.threads = options.threads;
   outcome.seed = options.seed;
-  outcome.effort = "default";
+  outcome.effort = options.effort;
   outcome.solver = options.solver;
   try
   {

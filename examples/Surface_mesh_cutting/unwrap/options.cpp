@@ -91,6 +91,33 @@ void add_output_options(CLI::App& app, Options& options)
     ->group(group);
 }
 
+void add_method_options(CLI::App& app, Options& options)
+{
+  const std::string group = "Method";
+  constexpr double largest = 1e9;
+  app.add_option("--effort", options.effort, "Work put into a short cut; best tries several starts")
+    ->check(CLI::IsMember({"fast", "default", "best"}))->default_str(options.effort)->group(group);
+  app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
+  app.add_option("--connect", options.connect,
+                 "How the feature points are connected: minimum spanning tree,\nshortest path heuristic, "
+                 "auxiliary points one by one,\nproven shortest, or the best within a budget")
+    ->check(CLI::IsMember({"mst", "sph", "greedy", "exact", "best"}))
+    ->default_str("best; greedy if --faithful")->group(group);
+  add_number<double>(app, "--eps-iso", options.eps_iso,
+                     "Decrease of the mean energy that makes a point worth a cut", 0, largest)
+    ->type_name("X")->default_str("0.01")->group(group);
+  add_number<double>(app, "--eps-len", options.eps_len,
+                     "Decrease of the length that makes an auxiliary point\nworth it (greedy), "
+                     "in bounding box diagonals", 0, largest)
+    ->type_name("X")->default_str("0.01")->group(group);
+  add_number<double>(app, "--alpha", options.alpha,
+                     "Share of the area that has to lie far from the first cut", 0, 1)
+    ->type_name("X")->default_str("0.1")->group(group);
+  add_number<double>(app, "--beta", options.beta,
+                     "Scope of influence of a sure feature point, in mean\nedge lengths", 0, largest)
+    ->type_name("X")->default_str("20")->group(group);
+}
+
 void add_run_options(CLI::App& app, Options& options)
 {
   const std::string group = "Computation";
@@ -134,13 +161,14 @@ Command_line parse_command_line(int argc, char** argv)
   Command_line result;
   Options& options = result.options;
   options.threads = available_threads();
-  options.solver = available_solvers().back();
+  options.solver = available_solvers().front();
 
   CLI::App app(description, "unwrap");
   app.footer(footer);
   app.set_version_flag("--version", "unwrap (CGAL " CGAL_VERSION_STR ")");
   app.add_option("INPUT", options.input, "Mesh file")->type_name("")->required();
   add_output_options(app, options);
+  add_method_options(app, options);
   add_run_options(app, options);
   try
   {

@@ -14,6 +14,11 @@ struct Options
   std::string output, json, svg, texture, obj_cut;
   bool is_quiet = false;
 
+  std::string effort = "default"; // fast, default, best
+  bool is_faithful = false;
+  std::optional<std::string> connect; // mst, sph, greedy, exact, best
+  std::optional<double> eps_iso, eps_len, alpha, beta;
+
   std::uint32_t seed = 0;
   int threads = 1;
   std::string solver;

@@ -4,6 +4,7 @@
 #include "interruption.h"
 #include "make_layout.h"
 
+#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
@@ -172,29 +173,64 @@ void tell(const Result& result, const Mesh& mesh, Outcome& outcome)
     outcome.message = summary(outcome);
 }
 
-template <typename ConcurrencyTag>
-Result run_library(const Mesh& mesh, const Options& options, Cut_map is_cut, UV_map uvs)
+SMC::Effort effort_of(const std::string& name)
 {
-  Visitor visitor(options);
-  return SMC::unwrap<ConcurrencyTag>(
+  return name == "fast" ? SMC::Effort::FAST : name == "best" ? SMC::Effort::BEST : SMC::Effort::DEFAULT;
+}
+
+SMC::Connection connection_of(const std::string& name)
+{
+  return name == "mst" ? SMC::Connection::METRIC_CLOSURE
+       : name == "sph" ? SMC::Connection::SHORTEST_PATH_HEURISTIC
+       : name == "greedy" ? SMC::Connection::GREEDY
+       : name == "exact" ? SMC::Connection::EXACT : SMC::Connection::BEST;
+}
+
+template <typename Solver>
+Result run_library(const Mesh& mesh, const Options& options, Visitor& visitor, Cut_map is_cut, UV_map uvs,
+                   Solver solver)
+{
+  // With one thread, Parallel_tag is the sequential algorithm.
+  return SMC::unwrap<CGAL::Parallel_if_available_tag>(
     mesh, is_cut, uvs,
-    CGAL::parameters::visitor(std::ref(visitor)).random_seed(options.seed));
+    CGAL::parameters::visitor(std::ref(visitor))
+      .random_seed(options.seed)
+      .effort(effort_of(options.effort))
+      .faithful(options.is_faithful)
+      .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
+      .minimum_distortion_decrease(options.eps_iso.value_or(0.01))
+      .minimum_length_decrease(options.eps_len.value_or(0.01))
+      .minimum_area_ratio(options.alpha.value_or(0.1))
+      .influence_threshold(options.beta.value_or(20))
+      .sparse_linear_solver(solver));
 }
 
 Result run_library(const Mesh& mesh, const Options& options, Cut_map is_cut, UV_map uvs)
 {
+  Visitor visitor(options);
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(options.threads));
-  if(options.threads > 1)
-    return run_library<CGAL::Parallel_tag>(mesh, options, is_cut, uvs);
 #endif
-  return run_library<CGAL::Sequential_tag>(mesh, options, is_cut, uvs);
+#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
+  if(options.solver == "cholmod")
+    return run_library(mesh, options, visitor, is_cut, uvs,
+                       CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double> > >());
+#endif
+  return run_library(mesh, options, visitor, is_cut, uvs,
+                     CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > >());
 }
 
 } // namespace
 
-std::vector<std::string> available_solvers() { return {"eigen"}; }
+std::vector<std::string> available_solvers()
+{
+#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
+  return {"eigen", "cholmod"};
+#else
+  return {"eigen"};
+#endif
+}
 
 int available_threads()
 {
