@@ -94,10 +94,12 @@ public:
   {
     Newton_result result;
     std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
+    result.energy = energy<Energy>(shapes, weights, uv);
+    if(!std::isfinite(result.energy)) // the sums of `assemble()` do not see flips
+      return result;
     if(m_system.number_of_unknowns() == 0)
     {
       result.outcome = Newton_outcome::CONVERGED;
-      result.energy = energy<Energy>(shapes, weights, uv);
       result.decrement = 0;
       return result;
     }
