@@ -325,6 +325,13 @@ void test_weights()
   for(auto e : edges(mesh))
     assert(get(marks, e) == (get(weights, e) < 1));
 
+  // weights that cannot be added
+  auto huge = get(CGAL::dynamic_edge_property_t<double>(), mesh);
+  for(auto e : edges(mesh))
+    put(huge, e, 1e308);
+  result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_weight_map(huge));
+  assert(result.status.code == Status_code::WRONG_PARAMETER);
+
   for(double invalid : {-1., std::numeric_limits<double>::quiet_NaN()})
   {
     put(weights, *edges(mesh).begin(), invalid);

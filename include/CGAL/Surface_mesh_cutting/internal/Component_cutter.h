@@ -18,9 +18,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
+#include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
 #include <CGAL/Surface_mesh_cutting/internal/Phase_clock.h>
-
-#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
+#include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
 
 #include <algorithm>
 #include <limits>
@@ -45,16 +45,20 @@ struct Component_result
   double energy = 0;
 };
 
-// The whole method for one closed surface of genus 0: candidates, filtering, connection and, if asked
-// for, UVs (paper, Section 3).
+// The whole method for one connected surface: candidates, filtering, connection and, if asked for, UVs
+// (paper, Section 3). A closed surface of genus 0 is treated as in the paper. Any other one is opened
+// first, along loops that cut its handles and a tree that connects these and its borders: that leaves
+// a disk, against which the candidates are judged. The final cut keeps the loops and connects
+// everything anew.
 template <typename LinearSolver, typename ConcurrencyTag>
 class Component_cutter
 {
 public:
-  Component_cutter(const Flat_mesh& mesh, const Cutting_parameters& parameters, Run_control& control,
-                   Phase_clock& clock)
-    : m_mesh(mesh), m_parameters(parameters), m_control(control), m_clock(clock),
-      m_shapes(Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()))
+  Component_cutter(const Flat_component& component, const Cutting_parameters& parameters,
+                   Run_control& control, Phase_clock& clock)
+    : m_mesh(component.mesh), m_topology(component.topology), m_parameters(parameters), m_control(control), m_clock(clock),
+      m_shapes(Surface_mesh_parameterization::internal::rest_shapes(m_mesh.triangles(), m_mesh.points())),
+      m_constraints(unconstrained(m_mesh))
   {}
 
   Component_result detect()
@@ -104,6 +108,8 @@ private:
     return result;
   }
 
+  bool is_sphere() const { return m_topology.genus() == 0 && m_topology.border_loops == 0; }
+
   Flat_status failure() const
   {
     if(m_control.is_stopped())
@@ -113,11 +119,19 @@ private:
 
   void detect_features(int start, Component_result& result)
   {
+    Cut opening;
     std::vector<Candidate> candidates;
     {
       const Phase_clock::Measurement measurement(m_clock, Phase::CANDIDATES);
       m_control.report(Phase::CANDIDATES, 0);
-      candidates = find_candidates<LinearSolver>(m_mesh, m_shapes, start, m_parameters, m_control);
+      if(!is_sphere())
+      {
+        result.status = open_to_disk(opening);
+        if(!result.status)
+          return;
+      }
+      candidates = is_sphere() ? find_candidates<LinearSolver>(m_mesh, m_shapes, start, m_parameters, m_control)
+                               : find_candidates_of_disk<LinearSolver>(m_mesh, m_shapes, opening, m_control);
       result.candidates = int(candidates.size());
     }
     if(m_control.is_stopped())
@@ -126,12 +140,31 @@ private:
       return;
     }
     const Phase_clock::Measurement measurement(m_clock, Phase::FILTER);
-    add_far_vertices(start, candidates);
+    if(is_sphere())
+      add_far_vertices(start, candidates);
     Greedy_filter<LinearSolver> filter(m_mesh, m_shapes, m_parameters, m_control);
-    if(filter.run(candidates))
+    if(is_sphere() ? filter.run(candidates) : filter.run_on_disk(opening, candidates))
       result.features = filter.features();
     else
       result.status = failure();
+  }
+
+  // Cuts the handles, which is final, and connects the borders, which is not.
+  Flat_status open_to_disk(Cut& opening)
+  {
+    const Handle_loops handles = cut_handles(m_mesh, m_constraints);
+    if(!handles.status)
+      return handles.status;
+    m_constraints.mandatory = handles.cut;
+    const Connected_cut connection = connect_points({});
+    opening = connection.cut;
+    return connection.status;
+  }
+
+  Connected_cut connect_points(const std::vector<int>& points)
+  {
+    return connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, points, m_parameters.connection,
+                                            [this] { return m_control.go_further(); });
   }
 
   // A surface as even as a sphere may have a single maximizer, or none where the map failed; a cut
@@ -152,21 +185,17 @@ private:
   {
     const Phase_clock::Measurement measurement(m_clock, Phase::CONNECT);
     m_control.report(Phase::CONNECT, 0);
-    const CGAL::internal::Steiner_tree::Solution solution
-      = CGAL::internal::Steiner_tree::solve<ConcurrencyTag>(m_mesh.graph(), result.features, m_parameters.connection,
-                                                            [this] { return m_control.go_further(); });
-    if(m_control.is_stopped())
+    const Connected_cut connection = connect_points(result.features);
+    if(m_control.is_stopped() || !connection.status)
     {
-      result.status = failure();
+      result.status = m_control.is_stopped() ? failure() : connection.status;
       return;
     }
-    std::vector<int> edges = solution.tree.edges;
-    extend_single_edge(m_mesh, edges);
-    result.cut = make_cut(m_mesh, edges);
+    result.cut = connection.cut;
     result.length = cut_length(m_mesh, result.cut);
-    result.lower_bound = solution.lower_bound;
-    result.is_optimal = solution.is_optimal;
-    result.auxiliary = number_of_branch_vertices(m_mesh.graph(), result.features, solution.tree);
+    result.lower_bound = connection.lower_bound + cut_length(m_mesh, m_constraints.mandatory);
+    result.is_optimal = connection.is_optimal;
+    result.auxiliary = connection.number_of_auxiliary_points;
     m_control.report(Phase::CONNECT, 1);
   }
 
@@ -186,10 +215,12 @@ private:
   }
 
   const Flat_mesh& m_mesh;
+  const Topology m_topology;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;
   Phase_clock& m_clock;
   const std::vector<Rest_shape> m_shapes;
+  Edge_constraints m_constraints;
 };
 
 } // namespace internal

@@ -45,6 +45,16 @@ inline std::vector<int> cut_halfedges(const Flat_mesh& mesh, const Cut& cut)
   return halfedges;
 }
 
+// Whether each vertex lies on the cut or on a border.
+inline std::vector<char> open_vertices(const Flat_mesh& mesh, const Cut& cut)
+{
+  std::vector<char> is_open(mesh.number_of_vertices(), 0);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(cut[e] || mesh.is_border_edge(e))
+      is_open[mesh.source(mesh.halfedge(e))] = is_open[mesh.target(mesh.halfedge(e))] = 1;
+  return is_open;
+}
+
 // The surface opened along the cut; it may consist of several parts. O(n).
 inline Chart make_chart(const Flat_mesh& mesh, const Cut& cut)
 {

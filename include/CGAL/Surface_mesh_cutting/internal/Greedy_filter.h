@@ -38,26 +38,41 @@ public:
       m_paths(mesh.graph()), m_map(mesh, shapes, control), m_is_on_cut(mesh.number_of_vertices(), 0)
   {}
 
-  // False if no flip-free map was found or the run was stopped.
+  // For a closed surface of genus 0. False if no flip-free map was found or the run was stopped.
   bool run(const std::vector<Candidate>& candidates)
   {
     const Initial_features initial = initialize_features(m_mesh, candidates, m_parameters, m_disks);
     m_features = initial.features;
-    for(int e : initial.cut)
-      mark_on_cut(e);
-    if(!m_map.initialize(make_cut(m_mesh, initial.cut)))
-      return false;
-    judge_queue(std::deque<int>(initial.queue.begin(), initial.queue.end()));
-    if(!m_parameters.is_faithful)
-      judge_most_distorted();
-    std::sort(m_features.begin(), m_features.end());
-    return !m_control.is_stopped();
+    return run_from(make_cut(m_mesh, initial.cut), initial.queue);
+  }
+
+  // For a surface that `cut` leaves as one disk: all candidates are judged against it.
+  bool run_on_disk(const Cut& cut, std::vector<Candidate> candidates)
+  {
+    sort_by_scope(candidates);
+    std::vector<int> queue;
+    for(const Candidate& c : candidates)
+      queue.push_back(c.vertex);
+    m_disks.set(queue, m_parameters.candidate_radius * average_edge_length(m_mesh));
+    return run_from(cut, queue);
   }
 
   const std::vector<int>& features() const { return m_features; }
   const Running_map<LinearSolver>& map() const { return m_map; }
 
 private:
+  bool run_from(const Cut& cut, const std::vector<int>& queue)
+  {
+    m_is_on_cut = open_vertices(m_mesh, cut);
+    if(!m_map.initialize(cut))
+      return false;
+    judge_queue(std::deque<int>(queue.begin(), queue.end()));
+    if(!m_parameters.is_faithful)
+      judge_most_distorted();
+    std::sort(m_features.begin(), m_features.end());
+    return !m_control.is_stopped();
+  }
+
   void mark_on_cut(int e)
   {
     m_is_on_cut[m_mesh.source(m_mesh.halfedge(e))] = 1;

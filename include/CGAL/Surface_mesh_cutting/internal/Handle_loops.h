@@ -119,8 +119,8 @@ private:
 
 // Finds loops after which each part that the mandatory cut leaves is as connected as before and has
 // genus 0. They are chosen one after the other, each close to the shortest that the former ones
-// leave. Several loops may meet and overlap, as they must on coarse meshes with many handles. O(g
-// (n log n + g n) + s), where s is the total size of the balls searched.
+// leave. Several loops may meet and overlap, as they must on coarse meshes with many handles.
+// O(g (n log n + g n) + s), where s is the total size of the balls searched.
 inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& constraints,
                                 double tolerance = 0.05)
 {
@@ -139,7 +139,10 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
     Shortest_loop shortest_loop(surface, tree_cotree, tolerance);
     shortest_loop.search(tree_cotree.cut_graph_nodes());
     const Loop& loop = shortest_loop.loop();
-    CGAL_assertion(!loop.edges.empty());
+    if(loop.edges.empty())
+      return Handle_loops{Flat_status(Status_code::WRONG_PARAMETER,
+                                      "edge_weight_map: the sum of the weights is infinite"),
+                          {}, constraints.mandatory};
     result.loops.push_back(Loop_closing(mesh, chart, surface)(loop));
     std::vector<int> halfedges;
     for(int e : loop.edges)

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -67,17 +68,15 @@ public:
       result.genus += c.topology.genus();
       result.borders += c.topology.border_loops;
     }
-    if(result.components > 1 || result.genus > 0 || result.borders > 0)
-    {
-      result.status = Flat_status(Status_code::UNSUPPORTED_TOPOLOGY,
-                                  "the surface is not a single closed component of genus 0");
-      return result;
-    }
     for(const Flat_component& c : components)
       if(!run_component(c, goal, result))
         return result;
     if(goal == Goal::MAP)
+    {
+      if(components.size() > 1)
+        lay_side_by_side(components, result);
       certify(result);
+    }
     return result;
   }
 
@@ -87,7 +86,7 @@ private:
     Cutting_parameters parameters = m_request.parameters;
     parameters.connection.minimum_length_decrease
       = parameters.minimum_length_decrease * bounding_box_diagonal(component.mesh);
-    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component.mesh, parameters, m_control, m_clock);
+    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component, parameters, m_control, m_clock);
     Component_result part = goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
     result.candidates += part.candidates;
     if(!part.status)
@@ -126,6 +125,48 @@ private:
     for(std::size_t f = 0; f < component.faces.size(); ++f)
       for(int k = 0; k < 3; ++k)
         result.uv[result.chart.triangles()[component.faces[f]][k]] = part.uv[part.chart.triangles()[f][k]];
+  }
+
+  // Moves the charts of the components apart: rows of about the width of a square that holds all,
+  // charts in the order of their heights.
+  void lay_side_by_side(const std::vector<Flat_component>& components, Mesh_result& result) const
+  {
+    struct Box { Eigen::Vector2d low, size; std::size_t component; };
+    std::vector<Box> boxes;
+    double area = 0, widest = 0;
+    for(std::size_t i = 0; i < components.size(); ++i)
+    {
+      Eigen::Vector2d low = result.uv[result.chart.triangles()[components[i].faces.front()][0]], high = low;
+      for(int f : components[i].faces)
+        for(int v : result.chart.triangles()[f])
+        {
+          low = low.cwiseMin(result.uv[v]);
+          high = high.cwiseMax(result.uv[v]);
+        }
+      boxes.push_back({low, high - low, i});
+      area += boxes.back().size.prod();
+      widest = (std::max)(widest, boxes.back().size.x());
+    }
+    std::stable_sort(boxes.begin(), boxes.end(),
+                     [](const Box& a, const Box& b) { return a.size.y() > b.size.y(); });
+    const double gap = 0.02 * std::sqrt(area), width = (std::max)(widest, 1.2 * std::sqrt(area));
+    Eigen::Vector2d corner(0, 0);
+    double row_height = 0;
+    std::vector<char> is_moved(result.uv.size(), 0);
+    for(const Box& box : boxes)
+    {
+      if(corner.x() > 0 && corner.x() + box.size.x() > width)
+      {
+        corner = Eigen::Vector2d(0, corner.y() + row_height + gap);
+        row_height = 0;
+      }
+      for(int f : components[box.component].faces)
+        for(int v : result.chart.triangles()[f])
+          if(!std::exchange(is_moved[v], char(1)))
+            result.uv[v] += corner - box.low;
+      corner.x() += box.size.x() + gap;
+      row_height = (std::max)(row_height, box.size.y());
+    }
   }
 
   // Measures the map and proves it free of flips; a map that fails is not handed out.

@@ -212,6 +212,23 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
   }
 }
 
+// The candidates of a surface that is a disk already, or is opened to one along `cut` in any case.
+// What lies on its border is not a candidate.
+template <typename LinearSolver>
+std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                               const Cut& cut, Run_control& control)
+{
+  const std::vector<double> distortion = proxy_distortion<LinearSolver>(mesh, shapes, cut, control);
+  control.report(Phase::CANDIDATES, 1);
+  if(distortion.empty())
+    return {};
+  const std::vector<char> is_open = open_vertices(mesh, cut);
+  std::vector<int> maximizers = local_maximizers(mesh, distortion);
+  maximizers.erase(std::remove_if(maximizers.begin(), maximizers.end(), [&](int v) { return is_open[v]; }),
+                   maximizers.end());
+  return scopes_of_influence(mesh, distortion, maximizers);
+}
+
 // The redundant set of candidates by the dual cutting strategy (paper, Section 3.1.1). Empty if a
 // map failed or the run was stopped.
 template <typename LinearSolver>

@@ -46,6 +46,13 @@ inline std::vector<int> metric_closure_cut(const Flat_mesh& mesh, const std::vec
   return cut;
 }
 
+// From large to small, ties by index.
+inline void sort_by_scope(std::vector<Candidate>& candidates)
+{
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
+            { return a.scope != b.scope ? a.scope > b.scope : a.vertex < b.vertex; });
+}
+
 // The start of the filtering: which candidates are features from the outset, which are to be judged,
 // and the cut through the former.
 struct Initial_features
@@ -113,8 +120,7 @@ inline std::vector<int> richest_part(const Flat_mesh& mesh, const Candidate_disk
 inline Initial_features initialize_features(const Flat_mesh& mesh, std::vector<Candidate> candidates,
                                             const Cutting_parameters& parameters, Candidate_disks& disks)
 {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.scope > b.scope; });
+  sort_by_scope(candidates);
   const double average = average_edge_length(mesh);
   double threshold = parameters.influence_threshold * average;
   while(true)

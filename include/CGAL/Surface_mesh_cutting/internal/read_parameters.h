@@ -37,13 +37,15 @@ namespace internal {
 
 using Steiner_method = CGAL::internal::Steiner_tree::Method;
 
-inline Steiner_method steiner_method(Connection connection)
+// The paper's greedy points alone, or improved by exchanging them.
+inline Steiner_method steiner_method(Connection connection, bool is_faithful)
 {
   switch(connection)
   {
   case Connection::METRIC_CLOSURE:          return Steiner_method::metric_closure;
   case Connection::SHORTEST_PATH_HEURISTIC: return Steiner_method::shortest_path_heuristic;
-  case Connection::GREEDY:                  return Steiner_method::greedy_auxiliary_points;
+  case Connection::GREEDY:                  return is_faithful ? Steiner_method::greedy_auxiliary_points
+                                                               : Steiner_method::local_search;
   default:                                  return Steiner_method::exact;
   }
 }
@@ -80,7 +82,7 @@ Request read_request(const NamedParameters& np)
   // The paper connects greedily.
   Connection connection = p.is_faithful ? Connection::GREEDY : Connection::BEST;
   read(get_parameter(np, internal_np::connection), connection);
-  p.connection.method = steiner_method(connection);
+  p.connection.method = steiner_method(connection, p.is_faithful);
   request.needs_optimal_tree = connection == Connection::EXACT;
   constexpr int number_of_starts_at_best = 4;
   p.number_of_starts = request.effort == Effort::BEST && !p.is_faithful ? number_of_starts_at_best : 1;

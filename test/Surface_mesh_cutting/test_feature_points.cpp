@@ -1,0 +1,201 @@
+// The steps of feature point detection against brute force, and the early decisions of the filtering
+// against full convergence.
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
+#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+
+#include <CGAL/Random.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_cutting::internal;
+namespace SMP = CGAL::Surface_mesh_parameterization::internal;
+
+int failures = 0;
+
+void check(bool condition, const char* what)
+{
+  if(condition)
+    return;
+  std::cerr << "failed: " << what << std::endl;
+  ++failures;
+}
+
+SMC::Flat_mesh random_star_shape(int n, CGAL::Random& random)
+{
+  test::Soup soup = test::sphere(2 * n, n);
+  const double a = random.get_double(1, 4), b = random.get_double(1, 4), c = random.get_double(0.2, 0.6);
+  for(std::array<double, 3>& p : soup.points)
+  {
+    const double polar = CGAL_PI * (p[2] + 1) / (n + 2), around = std::atan2(p[1], p[0]);
+    const double radius = 1 + c * std::sin(a * polar) * std::cos(std::round(b) * around);
+    p = {radius * std::sin(polar) * std::cos(around), radius * std::sin(polar) * std::sin(around),
+         2 * radius * std::cos(polar)};
+  }
+  const test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(soup);
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  return SMC::Mesh_adapter<test::Surface_mesh, decltype(vpm)>(mesh, vpm).mesh();
+}
+
+std::vector<double> distances_by_relaxation(const SMC::Flat_mesh& mesh, int source)
+{
+  std::vector<double> distances(mesh.number_of_vertices(), std::numeric_limits<double>::infinity());
+  distances[source] = 0;
+  for(bool has_changed = true; has_changed;)
+  {
+    has_changed = false;
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      const double d = distances[mesh.source(h)] + mesh.length(mesh.edge(h));
+      if(d < distances[mesh.target(h)])
+      {
+        distances[mesh.target(h)] = d;
+        has_changed = true;
+      }
+    }
+  }
+  return distances;
+}
+
+void test_maximizers(CGAL::Random& random)
+{
+  const SMC::Flat_mesh mesh = random_star_shape(6, random);
+  std::vector<double> values;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    values.push_back(random.get_int(0, 6)); // many plateaus
+  const std::vector<int> maximizers = SMC::local_maximizers(mesh, values);
+
+  // Each vertex climbs, along its plateau too, to exactly those plateaus that hold a maximizer.
+  for(int v : maximizers)
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+      check(mesh.source(h) != v || values[mesh.target(h)] <= values[v], "a maximizer has no higher neighbor");
+  check(std::count_if(maximizers.begin(), maximizers.end(), [&](int v)
+                      { return values[v] == *std::max_element(values.begin(), values.end()); }) >= 1, "the maximum");
+  for(int a : maximizers)
+    for(int b : maximizers)
+      for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+        check(!(mesh.source(h) == a && mesh.target(h) == b), "one representative for a plateau");
+
+  for(const SMC::Candidate& c : SMC::scopes_of_influence(mesh, values, maximizers))
+  {
+    const std::vector<double> distances = distances_by_relaxation(mesh, c.vertex);
+    double scope = std::numeric_limits<double>::infinity();
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      if(values[v] > values[c.vertex])
+        scope = (std::min)(scope, distances[v]);
+    check(scope == c.scope || std::abs(scope - c.scope) < 1e-12, "scope of influence");
+  }
+}
+
+void test_disks(CGAL::Random& random)
+{
+  const SMC::Flat_mesh mesh = random_star_shape(8, random);
+  const double radius = 3 * SMC::average_edge_length(mesh);
+  std::vector<int> centers;
+  for(int v = 0; v < mesh.number_of_vertices(); v += random.get_int(5, 30))
+    centers.push_back(v);
+  SMC::Candidate_disks disks(mesh);
+  disks.set(centers, radius);
+
+  std::vector<std::vector<double> > distances;
+  for(int c : centers)
+    distances.push_back(distances_by_relaxation(mesh, c));
+  std::vector<int> counts(mesh.number_of_faces(), 0);
+  for(std::size_t i = 0; i < centers.size(); ++i)
+  {
+    double own = radius;
+    for(std::size_t j = 0; j < centers.size(); ++j)
+      if(j != i)
+        own = (std::min)(own, distances[i][centers[j]] / 2);
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      const SMP::Triangle& t = mesh.triangles()[f];
+      counts[f] += distances[i][t[0]] < own && distances[i][t[1]] < own && distances[i][t[2]] < own;
+    }
+  }
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    check(disks.is_forbidden(f) == (counts[f] > 0), "forbidden region");
+  for(int c : centers)
+    disks.release(c);
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    check(!disks.is_forbidden(f), "all disks released");
+}
+
+// The energy that full convergence reaches from the state after the slit.
+double converged_energy(const SMC::Flat_mesh& mesh, const std::vector<SMP::Rest_shape>& shapes,
+                        const SMC::Running_map<SMP::Simplicial_solver>& map, const std::vector<int>& slit)
+{
+  SMC::Chart chart = map.chart();
+  std::vector<Eigen::Vector2d> uv = map.uv();
+  std::vector<int> halfedges;
+  for(int e : slit)
+    halfedges.push_back(mesh.halfedge(e));
+  const SMC::Chart::Opening opening = chart.open(halfedges);
+  uv.resize(chart.number_of_vertices());
+  for(const auto& [corner, former] : opening.corners)
+    uv[chart.source(corner)] = uv[former];
+  SMP::Newton_options options;
+  options.decrement = 1e-10;
+  options.maximum_iterations = 500;
+  SMP::Newton_solver<> solver(chart.triangles(), chart.number_of_vertices());
+  return solver.minimize<SMP::Symmetric_Dirichlet_energy>(shapes, SMP::area_weights(shapes), uv, options).energy;
+}
+
+// From the same state, the early decision is that of full convergence, unless the gain is within a
+// tenth of the threshold.
+void test_replay(CGAL::Random& random, int& decisions)
+{
+  const SMC::Flat_mesh mesh = random_star_shape(14, random);
+  const std::vector<SMP::Rest_shape> shapes = SMP::rest_shapes(mesh.triangles(), mesh.points());
+  SMC::Run_control control;
+  SMC::Running_map<SMP::Simplicial_solver> map(mesh, shapes, control);
+  check(map.initialize(SMC::make_cut(mesh, SMC::farthest_pair_path(mesh, 0))), "initial map");
+  SMC::Shortest_paths paths(mesh.graph());
+  const double threshold = 0.01;
+  for(int i = 0; i < 12; ++i)
+  {
+    paths.clear();
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+      if(map.cut()[e])
+      {
+        paths.add_source(mesh.source(mesh.halfedge(e)));
+        paths.add_source(mesh.target(mesh.halfedge(e)));
+      }
+    paths.run();
+    std::vector<int> slit;
+    paths.path(random.get_int(0, mesh.number_of_vertices()), std::back_inserter(slit));
+    if(slit.empty())
+      continue;
+    const double gain = map.energy() - converged_energy(mesh, shapes, map, slit);
+    const double before = map.energy();
+    const std::vector<Eigen::Vector2d> former = map.uv();
+    const bool is_accepted = map.open_if_useful(slit, threshold);
+    ++decisions;
+    check(std::abs(gain - threshold) <= 0.1 * threshold || is_accepted == (gain > threshold), "early decision");
+    if(is_accepted)
+      check(before - map.energy() > 0.9 * threshold, "the gain of an accepted slit");
+    else
+      check(map.uv() == former && map.energy() == before, "a rejected slit leaves no trace");
+  }
+}
+
+int main(int argc, char** argv)
+{
+  const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 20;
+  std::cout << "seed " << seed << std::endl;
+  CGAL::Random random(seed);
+  for(int i = 0; i < 20; ++i)
+    test_maximizers(random);
+  for(int i = 0; i < 10; ++i)
+    test_disks(random);
+  int decisions = 0;
+  for(int i = 0; i < 12; ++i)
+    test_replay(random, decisions);
+  std::cout << decisions << " decisions replayed" << std::endl;
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,222 @@
+// The whole method on closed surfaces of genus 0 as meshes of all types: valid results, proven by the
+// certificate, the same twice and for every thread count, and typed refusals.
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
+#include <CGAL/Surface_mesh_cutting/cut_length.h>
+#include <CGAL/Surface_mesh_cutting/detect_feature_points.h>
+#include <CGAL/Surface_mesh_cutting/greedy_cut.h>
+#include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
+#include <CGAL/Surface_mesh_cutting/unwrap.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_cutting;
+using SMC::Status_code;
+using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
+
+int failures = 0;
+
+void check(bool condition, const char* what)
+{
+  if(condition)
+    return;
+  std::cerr << "failed: " << what << std::endl;
+  ++failures;
+}
+
+// A sphere with bumps: `n` rings, smooth, no two parts alike.
+test::Soup bumpy_sphere(int n)
+{
+  test::Soup soup = test::sphere(2 * n, n);
+  for(std::array<double, 3>& p : soup.points)
+  {
+    const double polar = CGAL_PI * (p[2] + 1) / (n + 2), around = std::atan2(p[1], p[0]);
+    const double radius = 1 + 0.5 * std::sin(3 * polar) * std::cos(2 * around) + 0.3 * std::cos(5 * polar);
+    p = {radius * std::sin(polar) * std::cos(around), radius * std::sin(polar) * std::sin(around),
+         1.5 * radius * std::cos(polar)};
+  }
+  return soup;
+}
+
+// A cut and UVs for any mesh.
+template <typename Mesh>
+struct Maps
+{
+  using Traits = boost::graph_traits<Mesh>;
+  decltype(get(CGAL::dynamic_edge_property_t<bool>(), std::declval<Mesh&>())) is_cut;
+  decltype(get(CGAL::dynamic_halfedge_property_t<Point_2>(), std::declval<Mesh&>())) uv;
+
+  explicit Maps(Mesh& mesh)
+    : is_cut(get(CGAL::dynamic_edge_property_t<bool>(), mesh)),
+      uv(get(CGAL::dynamic_halfedge_property_t<Point_2>(), mesh))
+  {}
+
+  std::vector<double> values(Mesh& mesh) const
+  {
+    std::vector<double> all;
+    for(auto e : edges(mesh))
+      all.push_back(get(is_cut, e));
+    for(auto h : halfedges(mesh))
+      if(!is_border(h, mesh))
+      {
+        all.push_back(get(uv, h).x());
+        all.push_back(get(uv, h).y());
+      }
+    return all;
+  }
+};
+
+template <typename Mesh>
+void test_valid(Mesh mesh, const char* name)
+{
+  Maps<Mesh> maps(mesh), again(mesh);
+  const SMC::Unwrap_result<Mesh> result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
+  std::cout << name << ": " << result.features << " features, E " << result.E_iso << std::endl;
+  check(bool(result), result.status.message.c_str());
+  check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate");
+  check(bool(SMC::is_cut_to_disks(mesh, maps.is_cut)), "disks");
+  check(result.genus == 0 && result.components == 1 && result.borders == 0, "topology");
+  check(result.features == int(result.feature_points.size()), "feature points");
+  check(std::abs(result.cut_length - SMC::cut_length(mesh, maps.is_cut)) <= 1e-12 * result.cut_length, "length");
+  check(result.E_iso >= 4 && result.E_iso <= 4.5 && result.E_max >= result.E_iso, "energy");
+  check(result.cut_lower_bound && *result.cut_lower_bound <= result.cut_length * (1 + 1e-12), "lower bound");
+
+  // The cut is a tree through the feature points whose leaves are feature points.
+  std::map<std::size_t, int> degrees;
+  std::size_t number_of_edges = 0;
+  auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  std::size_t i = 0;
+  for(auto v : vertices(mesh))
+    put(index, v, i++);
+  for(auto e : edges(mesh))
+    if(get(maps.is_cut, e))
+    {
+      ++number_of_edges;
+      ++degrees[get(index, source(e, mesh))];
+      ++degrees[get(index, target(e, mesh))];
+    }
+  check(number_of_edges + 1 == degrees.size(), "a connected cut without cycle");
+  std::map<std::size_t, bool> is_feature;
+  for(auto v : result.feature_points)
+  {
+    is_feature[get(index, v)] = true;
+    check(degrees.count(get(index, v)) == 1, "a feature point on the cut");
+  }
+  for(const auto& [v, degree] : degrees)
+    check(degree > 1 || is_feature[v], "no dangling edge");
+
+  const SMC::Unwrap_result<Mesh> parallel
+    = SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv);
+  check(bool(parallel) && maps.values(mesh) == again.values(mesh), "the same with several threads");
+}
+
+void test_scales()
+{
+  std::vector<double> energies;
+  for(double factor : {1., 0x1p-500, 0x1p+500})
+  {
+    test::Soup soup = bumpy_sphere(8);
+    soup.scale(factor);
+    test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(soup);
+    Maps<test::Surface_mesh> maps(mesh);
+    const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
+    check(bool(result), "extreme scale");
+    energies.push_back(result.E_iso);
+  }
+  check(energies[0] == energies[1] && energies[0] == energies[2], "energy does not depend on the scale");
+}
+
+void test_methods()
+{
+  test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(bumpy_sphere(10));
+  Maps<test::Surface_mesh> maps(mesh);
+  double shortest = std::numeric_limits<double>::infinity(), exact = 0;
+  for(SMC::Connection connection : {SMC::Connection::METRIC_CLOSURE, SMC::Connection::SHORTEST_PATH_HEURISTIC,
+                                    SMC::Connection::GREEDY, SMC::Connection::EXACT, SMC::Connection::BEST})
+  {
+    const auto result = SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::connection(connection));
+    check(bool(result) && SMC::is_cut_to_disks(mesh, maps.is_cut), "connection");
+    shortest = (std::min)(shortest, result.cut_length);
+    if(connection == SMC::Connection::EXACT)
+    {
+      exact = result.cut_length;
+      check(result.optimal && *result.optimal, "proof");
+    }
+  }
+  check(exact <= shortest * (1 + 1e-12), "the exact tree is the shortest");
+  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::faithful(true))), "faithful");
+  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::effort(SMC::Effort::BEST))), "best");
+
+  std::vector<test::Surface_mesh::Vertex_index> points;
+  const auto detected = SMC::detect_feature_points(mesh, std::back_inserter(points));
+  check(bool(detected) && detected.features == int(points.size()) && points.size() >= 2, "detection");
+}
+
+struct Stopping_visitor : public SMC::Default_visitor
+{
+  int calls_left;
+  explicit Stopping_visitor(int calls) : calls_left(calls) {}
+  bool go_further() { return --calls_left > 0; }
+};
+
+// Whatever is wrong, the maps stay as they were.
+void test_refusals()
+{
+  const auto code_of = [](const test::Soup& soup, const auto& np)
+  {
+    test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(soup);
+    Maps<test::Surface_mesh> maps(mesh);
+    for(auto e : edges(mesh))
+      put(maps.is_cut, e, true);
+    const Status_code code = SMC::greedy_cut(mesh, maps.is_cut, np).status.code;
+    if(code != Status_code::OK)
+      for(auto e : edges(mesh))
+        check(get(maps.is_cut, e), "nothing written on refusal");
+    return code;
+  };
+  const auto none = CGAL::parameters::default_values();
+  check(code_of(test::Soup(), none) == Status_code::EMPTY_MESH, "empty");
+  check(code_of(test::sphere(8, 3), CGAL::parameters::minimum_area_ratio(2.)) == Status_code::WRONG_PARAMETER, "alpha");
+  check(code_of(test::sphere(8, 3), CGAL::parameters::minimum_distortion_decrease(std::nan(""))) ==
+          Status_code::WRONG_PARAMETER, "epsilon");
+  test::Soup invalid = test::sphere(8, 3);
+  invalid.points[3][1] = std::numeric_limits<double>::infinity();
+  check(code_of(invalid, none) == Status_code::INVALID_POINT, "infinite coordinate");
+  for(int calls : {1, 2, 5, 20})
+  {
+    Stopping_visitor visitor(calls);
+    check(code_of(bumpy_sphere(10), CGAL::parameters::visitor(std::ref(visitor))) == Status_code::STOPPED, "visitor");
+  }
+  check(code_of(bumpy_sphere(10), CGAL::parameters::maximum_running_time(1e-9)) == Status_code::STOPPED, "time limit");
+}
+
+int main()
+{
+  const test::Soup soup = bumpy_sphere(12);
+  test_valid(test::make_mesh<test::Surface_mesh>(soup), "Surface_mesh");
+  test_valid(test::make_mesh_with_garbage(soup), "Surface_mesh with removed elements");
+  test_valid(test::make_mesh<test::Polyhedron>(soup), "Polyhedron_3");
+  test_valid(test::make_mesh<test::Linear_cell_complex>(soup), "Linear_cell_complex");
+
+  test::Soup tetrahedron;
+  tetrahedron.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  tetrahedron.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(tetrahedron);
+  Maps<test::Surface_mesh> maps(mesh);
+  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv)), "the smallest closed surface");
+
+  test_scales();
+  test_methods();
+  test_refusals();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
