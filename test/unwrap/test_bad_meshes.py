@@ -24,11 +24,10 @@ EXIT_CODES = {
     "bad_pentagons.obj": 4,
     "bad_quads.obj": 4,
     "bad_repeated_index.off": 4,
-    # valid, but borders and several components are not supported yet
-    "bad_dup_vertices.off": 4,     # two open halves
-    "bad_one_tri.off": 4,          # a disk
-    "bad_soup.off": 4,             # every face is a component
     # valid
+    "bad_dup_vertices.off": 0,     # two open halves
+    "bad_one_tri.off": 0,          # a disk
+    "bad_soup.off": 0,             # every face is a component
     "bad_degenerate.off": 0,       # a face without area
     "bad_inside_out.off": 0,
     "bad_isolated.off": 0,         # vertices without faces

@@ -29,8 +29,7 @@ enum class Status_code
                            ///  more than one fan, or a face given twice. Witness: vertices or faces.
   INCONSISTENT_ORIENTATION,///< neighboring faces disagree about which side is up. Witness: faces.
   INVALID_POINT,           ///< a coordinate is infinite or not a number. Witness: vertices.
-  UNSUPPORTED_TOPOLOGY,    ///< the surface has handles, borders or several components where the
-                           ///  call needs a single closed surface of genus 0.
+  UNSUPPORTED_TOPOLOGY,    ///< a part of the surface has a handle where the call needs genus 0.
   WRONG_PARAMETER,         ///< a named parameter is out of its range. The message names it.
   INFEASIBLE_CONSTRAINTS,  ///< no cut satisfies the constraints. Witness: the elements in conflict.
   NOT_CUT_TO_DISKS,        ///< the marked edges do not leave only disks. Witness: faces of such a part.

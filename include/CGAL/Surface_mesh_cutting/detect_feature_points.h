@@ -12,6 +12,8 @@
 #ifndef CGAL_SURFACE_MESH_CUTTING_DETECT_FEATURE_POINTS_H
 #define CGAL_SURFACE_MESH_CUTTING_DETECT_FEATURE_POINTS_H
 
+#include <CGAL/license/Surface_mesh_cutting.h>
+
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
@@ -97,8 +99,7 @@ namespace Surface_mesh_cutting {
 ///
 /// \return what was found; the members about the cut are not set. Its `status` is `Status_code::OK`, or
 ///         `Status_code::EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD` or `INVALID_POINT` for a surface
-///         that the package does not take, `UNSUPPORTED_TOPOLOGY` where it is not a single closed
-///         surface of genus 0, `WRONG_PARAMETER`, `NUMERICAL_FAILURE`, or `STOPPED`. Then nothing is written to `out`.
+///         that the package does not take, `WRONG_PARAMETER`, `NUMERICAL_FAILURE`, or `STOPPED`. Then nothing is written to `out`.
 ///
 /// \sa `greedy_cut()`
 /// \sa `connect_points()`

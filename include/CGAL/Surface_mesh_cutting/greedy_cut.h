@@ -12,6 +12,8 @@
 #ifndef CGAL_SURFACE_MESH_CUTTING_GREEDY_CUT_H
 #define CGAL_SURFACE_MESH_CUTTING_GREEDY_CUT_H
 
+#include <CGAL/license/Surface_mesh_cutting.h>
+
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
@@ -24,6 +26,8 @@ namespace Surface_mesh_cutting {
 ///
 /// finds a short cut that leaves only topological disks which can be flattened with low isometric
 /// distortion: feature points are detected and connected by a short tree \cgalCite{cgal:zycf-gccp-20}.
+/// The surface may have any number of handles, borders and components; borders are open already and
+/// never marked.
 ///
 /// The cost is dominated by solving sparse linear systems of the size of the surface: a few dozen for
 /// the candidates and one or two for each candidate that small windows do not decide. Memory is
@@ -119,8 +123,7 @@ namespace Surface_mesh_cutting {
 /// \return what was found. Its `status` is `Status_code::OK`, or `Status_code::BOUND_NOT_REACHED` with
 ///         `connection(Connection::EXACT)` where the budget does not suffice for a proof, or
 ///         `Status_code::EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD` or `INVALID_POINT` for a surface
-///         that the package does not take, `UNSUPPORTED_TOPOLOGY` where it is not a single closed
-///         surface of genus 0, `WRONG_PARAMETER`, `NUMERICAL_FAILURE`, or `STOPPED`.
+///         that the package does not take, `WRONG_PARAMETER`, `NUMERICAL_FAILURE`, or `STOPPED`.
 ///
 /// \sa `unwrap()`
 /// \sa `detect_feature_points()`

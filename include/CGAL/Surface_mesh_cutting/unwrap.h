@@ -12,6 +12,8 @@
 #ifndef CGAL_SURFACE_MESH_CUTTING_UNWRAP_H
 #define CGAL_SURFACE_MESH_CUTTING_UNWRAP_H
 
+#include <CGAL/license/Surface_mesh_cutting.h>
+
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
