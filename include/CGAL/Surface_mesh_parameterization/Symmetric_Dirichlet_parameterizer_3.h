@@ -49,8 +49,8 @@ namespace Surface_mesh_parameterization {
 ///
 /// Each iteration factorizes one sparse matrix of about \f$ 2n \f$ rows for \f$ n \f$ vertices,
 /// which takes \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes.
-/// There are at most 200 iterations at full resolution, and usually 4 to 20. Degenerate faces are given a small
-/// height.
+/// There are at most 200 iterations at full resolution, and usually 4 to 20. Degenerate faces are
+/// given a small height.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
