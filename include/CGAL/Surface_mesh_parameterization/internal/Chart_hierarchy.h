@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_simplification.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Flip_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_placement.h>
 
@@ -51,6 +52,15 @@ public:
     simplification.reduce_to(size);
     m_number_of_vertices = simplification.number_of_vertices();
     return m_number_of_vertices;
+  }
+
+  // Collapses what is flipped under `uv` (over the vertices of the whole chart) instead. False if
+  // flips remain.
+  bool collapse_flips(const std::vector<Eigen::Vector2d>& uv)
+  {
+    const bool is_flip_free = Flip_collapse(m_chart, uv)();
+    m_number_of_vertices = int(m_points.size()) - m_chart.number_of_collapses();
+    return is_flip_free;
   }
 
   bool is_complete() const { return m_chart.number_of_collapses() == 0; }

@@ -37,7 +37,7 @@ namespace CGAL {
 /// methods, status codes, and the default visitor of `CGAL::steiner_tree()`
 namespace Steiner_tree {
 
-/// \addtogroup PkgBGLSteinerTree
+/// \addtogroup PkgSurfaceMeshCuttingSteinerTreesRef
 /// @{
 
 /// the minimum spanning tree of the metric closure of the terminals (Kou, Markowsky and Berman): at most twice
@@ -159,7 +159,7 @@ struct Result
 } // namespace Steiner_tree
 
 /*!
-\ingroup PkgBGLSteinerTree
+\ingroup PkgSurfaceMeshCuttingSteinerTreesRef
 
 computes a short or shortest tree in a graph that connects some of its vertices, the *terminals*.
 

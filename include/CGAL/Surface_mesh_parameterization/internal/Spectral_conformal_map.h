@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SPECTRAL_CONFORMAL_MAP_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SPECTRAL_CONFORMAL_MAP_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Spectral conformal parameterization [Mullen et al. 2008]: among all maps whose border has unit
+// mass, the one of least conformal energy, Dirichlet energy minus area. With a place of the plane
+// as one complex number u_i per vertex, that energy is 2 sum of area |f_z̄|^2, and f_z̄ is linear in
+// the u_i: a Hermitian eigenproblem of one unknown per vertex. One factorization, inverse iteration.
+class Spectral_conformal_map
+{
+  using Complex = std::complex<double>;
+  using Matrix = Eigen::SparseMatrix<Complex>;
+
+public:
+  Spectral_conformal_map(const Chart& chart, const std::vector<Rest_shape>& shapes)
+    : m_energy(chart.number_of_vertices(), chart.number_of_vertices()),
+      m_masses(Eigen::VectorXd::Zero(chart.number_of_vertices())),
+      m_map(Eigen::VectorXcd::Zero(chart.number_of_vertices()))
+  {
+    assemble_energy(chart.triangles(), shapes);
+    assemble_border(chart, shapes);
+  }
+
+  // False if the factorization fails.
+  bool solve()
+  {
+    constexpr int maximum_iterations = 50;
+    constexpr double tolerance = 1e-4;
+
+    // The constants have no energy: a trace of the mass makes the matrix positive definite and
+    // leaves the eigenvectors what they are.
+    constexpr double relative_shift = 1e-11;
+    const double shift = relative_shift * m_energy.diagonal().real().sum() / m_masses.sum();
+    Matrix shifted = m_energy;
+    shifted += Matrix((shift * m_masses).cast<Complex>().asDiagonal());
+    const Eigen::SimplicialLDLT<Matrix> solver(shifted);
+    if(solver.info() != Eigen::Success)
+      return false;
+
+    normalize();
+    for(int i = 0; i < maximum_iterations; ++i)
+    {
+      const Eigen::VectorXcd former = m_map;
+      m_map = solver.solve(Eigen::VectorXcd(m_masses.cwiseProduct(former)));
+      normalize();
+      const double overlap = std::abs(m_map.dot(m_masses.cwiseProduct(former)));
+      if(!(1 - overlap > tolerance * tolerance))
+        break;
+    }
+    return m_map.allFinite();
+  }
+
+  Eigen::Vector2d operator[](int v) const { return Eigen::Vector2d(m_map[v].real(), m_map[v].imag()); }
+
+private:
+  void assemble_energy(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes)
+  {
+    std::vector<Eigen::Triplet<Complex> > entries;
+    entries.reserve(6 * triangles.size() + m_masses.size());
+    for(int v = 0; v < int(m_masses.size()); ++v)
+      entries.emplace_back(v, v, 0);
+    for(std::size_t t = 0; t < triangles.size(); ++t)
+    {
+      const Rest_shape& s = shapes[t];
+      const Complex d[3] = {{s.g0.x(), s.g0.y()}, {s.g1.x(), s.g1.y()}, {s.g2.x(), s.g2.y()}};
+      for(int i = 0; i < 3; ++i)
+        for(int j = 0; j < 3; ++j)
+          if(triangles[t][i] >= triangles[t][j])
+            entries.emplace_back(triangles[t][i], triangles[t][j], s.area * std::conj(d[i]) * d[j]);
+    }
+    m_energy.setFromTriplets(entries.begin(), entries.end()); // the lower half
+    for(int v = 0; v < int(m_masses.size()); ++v)
+      if(m_energy.coeff(v, v) == Complex(0))
+        m_energy.coeffRef(v, v) = 1; // not in use
+  }
+
+  // The mass of a border vertex is its share of the border; the iteration starts from a map of the
+  // longest border to a circle.
+  void assemble_border(const Chart& chart, const std::vector<Rest_shape>& shapes)
+  {
+    double longest = 0;
+    for(const std::vector<int>& loop : chart.border_loops())
+    {
+      std::vector<double> positions;
+      double length = 0;
+      for(int h : loop)
+      {
+        const Rest_shape& s = shapes[h / 3];
+        const Eigen::Vector2d* const gradients[3] = {&s.g2, &s.g0, &s.g1}; // of the corner across
+        const double edge = 2 * s.area * gradients[h % 3]->norm();
+        m_masses[chart.source(h)] += 0.5 * edge;
+        m_masses[chart.target(h)] += 0.5 * edge;
+        positions.push_back(length);
+        length += edge;
+      }
+      if(length <= longest)
+        continue;
+      longest = length;
+      m_map.setZero();
+      for(std::size_t i = 0; i < loop.size(); ++i)
+        m_map[chart.source(loop[i])] = std::polar(1., 2 * EIGEN_PI * positions[i] / length);
+    }
+  }
+
+  // Takes the constants out, and makes the border's mass one.
+  void normalize()
+  {
+    const Complex mean = m_map.cwiseProduct(m_masses.cast<Complex>()).sum() / m_masses.sum();
+    m_map.array() -= mean;
+    m_map /= std::sqrt(m_map.cwiseAbs2().dot(m_masses));
+  }
+
+  Matrix m_energy;
+  Eigen::VectorXd m_masses;
+  Eigen::VectorXcd m_map;
+};
+
+// The spectral conformal map of a chart, scaled to the area of the surface. `number_of_flips`
+// receives how many triangles are flipped; on bad triangulations these are some per cent, tiny ones
+// for the most part. False if there is no map of positive area.
+inline bool spectral_conformal_map(const Chart& chart, const std::vector<Rest_shape>& shapes,
+                                   std::vector<Eigen::Vector2d>& uv, int* number_of_flips = nullptr)
+{
+  Spectral_conformal_map map(chart, shapes);
+  if(!map.solve())
+    return false;
+  uv.resize(chart.number_of_vertices());
+  for(int v = 0; v < chart.number_of_vertices(); ++v)
+    uv[v] = map[v];
+  if(!(chart_area(chart.triangles(), uv) > 0))
+    return false;
+  scale_to_area(chart.triangles(), surface_area(shapes), uv);
+  if(number_of_flips != nullptr)
+    *number_of_flips = count_flips(chart.triangles(), uv);
+  return true;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SPECTRAL_CONFORMAL_MAP_H
