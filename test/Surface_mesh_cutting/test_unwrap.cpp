@@ -120,6 +120,33 @@ void test_valid(Mesh mesh, const char* name)
   check(bool(parallel) && maps.values(mesh) == again.values(mesh), "the same with several threads");
 }
 
+// Handles, borders and several components: disks and no flips, whatever the surface.
+void test_topologies()
+{
+  struct Case { test::Soup soup; int components, genus, borders; };
+  test::Soup several = bumpy_sphere(6);
+  several.add(test::torus(16, 8));
+  several.add(test::tube(8, 4));
+  for(const Case& c : std::vector<Case>{{test::torus(24, 12), 1, 1, 0}, {test::tube(12, 8), 1, 0, 2},
+                                  {test::patch(6, 5), 1, 0, 1}, {several, 3, 1, 2}})
+  {
+    test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(c.soup);
+    Maps<test::Surface_mesh> maps(mesh);
+    const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
+    check(bool(result), result.status.message.c_str());
+    check(result.components == c.components && result.genus == c.genus && result.borders == c.borders, "topology");
+    check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate of any topology");
+    check(result.E_iso < 4.5, "energy of any topology");
+    for(auto e : edges(mesh))
+      check(!is_border(e, mesh) || !get(maps.is_cut, e), "a border edge is not cut");
+  }
+  // A surface that lies flat already is not cut at all.
+  test::Surface_mesh patch = test::make_mesh<test::Surface_mesh>(test::patch(1, 1));
+  Maps<test::Surface_mesh> maps(patch);
+  const auto result = SMC::unwrap(patch, maps.is_cut, maps.uv);
+  check(bool(result) && result.cut_length == 0 && result.E_iso < 4 + 1e-9, "a flat patch stays whole");
+}
+
 void test_scales()
 {
   std::vector<double> energies;
@@ -215,6 +242,7 @@ int main()
   Maps<test::Surface_mesh> maps(mesh);
   check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv)), "the smallest closed surface");
 
+  test_topologies();
   test_scales();
   test_methods();
   test_refusals();
