@@ -1,5 +1,5 @@
-// Time of assembling energy, gradient and Hessian, and the share of the factorization in a solve, on
-// a bumpy grid of about 100,000 triangles.
+// Time of assembling energy, gradient and Hessian, and the share of the factorization in a solve,
+// on a bumpy grid of about 100,000 triangles.
 
 #include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_system.h>

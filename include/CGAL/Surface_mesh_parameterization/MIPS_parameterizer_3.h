@@ -41,14 +41,15 @@ namespace Surface_mesh_parameterization {
 /// parts of the image may overlap. The result has the area of the surface. The surface may have any
 /// number of borders, but no handles.
 ///
-/// The method starts from Tutte's embedding \cgalCite{cgal:t-hdg-63} and applies Newton's method
-/// with analytically projected Hessians \cgalCite{cgal:gsc-plmo-18}; steps end before the first
-/// triangle flips \cgalCite{cgal:ss-bpfb-15}. Should rounding spoil Tutte's embedding, the start is
-/// found on a simplified surface, which is then refined without flips.
+/// The method simplifies the surface by half-edge collapses, starts from Tutte's embedding
+/// \cgalCite{cgal:t-hdg-63} of the coarsest stage, and undoes the collapses, with each vertex placed
+/// where it flips no triangle; Newton's method with analytically projected Hessians
+/// \cgalCite{cgal:gsc-plmo-18} optimizes each stage, and steps end before the first triangle flips
+/// \cgalCite{cgal:ss-bpfb-15}.
 ///
-/// Each iteration factorizes one sparse matrix of about \f$ 2n \f$ rows for \f$ n \f$ vertices,
-/// which takes \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes.
-/// There are at most 200 iterations, and usually 10 to 60. Degenerate faces are given a small height.
+/// A sparse matrix of about \f$ 2n \f$ rows for \f$ n \f$ vertices is factorized, which takes
+/// \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes, at most 200 times, and
+/// usually less than ten times. Degenerate faces are given a small height.
 ///
 /// \cgalModels{Parameterizer_3}
 ///

@@ -47,10 +47,9 @@ namespace Surface_mesh_parameterization {
 /// Hessians \cgalCite{cgal:gsc-plmo-18} optimizes each stage, and steps end before the first
 /// triangle flips.
 ///
-/// Each iteration factorizes one sparse matrix of about \f$ 2n \f$ rows for \f$ n \f$ vertices,
-/// which takes \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes.
-/// There are at most 200 iterations at full resolution, and usually 4 to 20. Degenerate faces are
-/// given a small height.
+/// A sparse matrix of about \f$ 2n \f$ rows for \f$ n \f$ vertices is factorized, which takes
+/// \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes, at most 200 times, and
+/// usually less than ten times. Degenerate faces are given a small height.
 ///
 /// \cgalModels{Parameterizer_3}
 ///

@@ -19,6 +19,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <deque>
 #include <tuple>
 #include <vector>
@@ -37,7 +38,8 @@ public:
     : m_chart(chart), m_uv(uv)
   {}
 
-  // False if a triangle stays flipped. Each collapse takes the time of the one-rings around it.
+  // False if a triangle stays flipped, as may happen between short borders. Each collapse takes the
+  // time of the one-rings around it.
   bool operator()()
   {
     for(int t = 0; t < int(m_chart.triangles().size()); ++t)
@@ -71,7 +73,8 @@ private:
   // The collapse of a vertex of `t` that leaves fewest flips; of these, the shortest.
   bool collapse_best(int t)
   {
-    std::tuple<int, double, int, int> best; // flips gained, squared length, vertex, place in the ring
+    // Flips gained, squared length, vertex, place in the ring.
+    std::tuple<int, double, int, int> best;
     bool is_found = false;
     for(int v : m_chart.triangles()[t])
     {

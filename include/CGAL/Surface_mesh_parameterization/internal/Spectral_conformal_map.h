@@ -23,7 +23,6 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -34,9 +33,9 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // Spectral conformal parameterization [Mullen et al. 2008]: among all maps whose border has unit
-// mass, the one of least conformal energy, Dirichlet energy minus area. With a place of the plane
-// as one complex number u_i per vertex, that energy is 2 sum of area |f_z̄|^2, and f_z̄ is linear in
-// the u_i: a Hermitian eigenproblem of one unknown per vertex. One factorization, inverse iteration.
+// mass, the one of least conformal energy, Dirichlet energy minus area. With the place of a vertex as
+// one complex number u_i, that energy is 2 sum of area |f_z̄|^2, and f_z̄ is linear in the u_i: a
+// Hermitian eigenproblem of one unknown per vertex. One factorization, then inverse iteration.
 class Spectral_conformal_map
 {
   using Complex = std::complex<double>;
@@ -81,10 +80,12 @@ public:
     return m_map.allFinite();
   }
 
-  Eigen::Vector2d operator[](int v) const { return Eigen::Vector2d(m_map[v].real(), m_map[v].imag()); }
+  Eigen::Vector2d operator[](int v) const
+  { return Eigen::Vector2d(m_map[v].real(), m_map[v].imag()); }
 
 private:
-  void assemble_energy(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes)
+  void assemble_energy(const std::vector<Triangle>& triangles,
+                       const std::vector<Rest_shape>& shapes)
   {
     std::vector<Eigen::Triplet<Complex> > entries;
     entries.reserve(6 * triangles.size() + m_masses.size());
@@ -97,7 +98,8 @@ private:
       for(int i = 0; i < 3; ++i)
         for(int j = 0; j < 3; ++j)
           if(triangles[t][i] >= triangles[t][j])
-            entries.emplace_back(triangles[t][i], triangles[t][j], s.area * std::conj(d[i]) * d[j]);
+            entries.emplace_back(triangles[t][i], triangles[t][j],
+                                 s.area * std::conj(d[i]) * d[j]);
     }
     m_energy.setFromTriplets(entries.begin(), entries.end()); // the lower half
     for(int v = 0; v < int(m_masses.size()); ++v)
@@ -129,7 +131,7 @@ private:
       longest = length;
       m_map.setZero();
       for(std::size_t i = 0; i < loop.size(); ++i)
-        m_map[chart.source(loop[i])] = std::polar(1., 2 * EIGEN_PI * positions[i] / length);
+        m_map[chart.source(loop[i])] = std::polar(1., double(2 * EIGEN_PI) * positions[i] / length);
     }
   }
 
@@ -147,8 +149,8 @@ private:
 };
 
 // The spectral conformal map of a chart, scaled to the area of the surface. `number_of_flips`
-// receives how many triangles are flipped; on bad triangulations these are some per cent, tiny ones
-// for the most part. False if there is no map of positive area.
+// receives how many triangles are flipped: usually none or a few, which `remove_flips()` puts
+// right, but several per cent where the map folds. False if there is no map of positive area.
 inline bool spectral_conformal_map(const Chart& chart, const std::vector<Rest_shape>& shapes,
                                    std::vector<Eigen::Vector2d>& uv, int* number_of_flips = nullptr)
 {
