@@ -119,21 +119,33 @@ public:
   bool refine_to(int size, std::vector<Eigen::Vector2d>& uv)
   {
     Star_placement<Energy> place;
+    std::vector<int> placed;
     while(m_number_of_vertices < size && m_chart.number_of_collapses() > 0)
     {
-      const int v = m_chart.undo();
+      placed.push_back(m_chart.undo());
       ++m_number_of_vertices;
-      m_chart.fan(v, m_fan);
-      m_star.clear();
-      for(int h : m_fan)
-        m_star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape(h)});
-      if(!place(m_star, uv[v]))
+      collect_star(placed.back(), uv);
+      if(!place(m_star, uv[placed.back()]))
         return false;
+    }
+    // The stars have changed since: another round takes out what would hold up the global solve.
+    for(int v : placed)
+    {
+      collect_star(v, uv);
+      place.improve(m_star, uv[v]);
     }
     return true;
   }
 
 private:
+  void collect_star(int v, const std::vector<Eigen::Vector2d>& uv)
+  {
+    m_chart.fan(v, m_fan);
+    m_star.clear();
+    for(int h : m_fan)
+      m_star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape(h)});
+  }
+
   // The shape of the triangle of `h`, corner 0 at the source of `h`.
   Rest_shape shape(int h) const
   {

@@ -76,6 +76,39 @@ public:
     return true;
   }
 
+  // From a center that makes all triangles positive.
+  static void improve(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
+  {
+    constexpr int maximum_steps = 8, maximum_trials = 20;
+    double e = energy(star, center);
+    Triangle_terms terms;
+    for(int i = 0; i < maximum_steps; ++i)
+    {
+      Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+      Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+      for(const Star_triangle& t : star)
+      {
+        triangle_terms<Energy>(t.shape, center, t.a, t.b, terms);
+        gradient += t.shape.area * terms.gradient[0];
+        hessian += t.shape.area * terms.diagonal[0];
+      }
+      const Eigen::Vector2d step = hessian.inverse() * gradient;
+      const double decrement = gradient.dot(step);
+      if(!(decrement > 1e-3 * e))
+        return;
+      double t = 1, next = energy(star, center - step);
+      for(int k = 0; k < maximum_trials && !(next < e); ++k)
+      {
+        t *= 0.5;
+        next = energy(star, center - t * step);
+      }
+      if(!(next < e))
+        return;
+      center -= t * step;
+      e = next;
+    }
+  }
+
 private:
   bool kernel_centroid(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
   {
@@ -121,38 +154,6 @@ private:
       sum += t.shape.area * Energy::value(x, y);
     }
     return sum;
-  }
-
-  static void improve(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
-  {
-    constexpr int maximum_steps = 8, maximum_trials = 20;
-    double e = energy(star, center);
-    Triangle_terms terms;
-    for(int i = 0; i < maximum_steps; ++i)
-    {
-      Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-      Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
-      for(const Star_triangle& t : star)
-      {
-        triangle_terms<Energy>(t.shape, center, t.a, t.b, terms);
-        gradient += t.shape.area * terms.gradient[0];
-        hessian += t.shape.area * terms.diagonal[0];
-      }
-      const Eigen::Vector2d step = hessian.inverse() * gradient;
-      const double decrement = gradient.dot(step);
-      if(!(decrement > 1e-3 * e))
-        return;
-      double t = 1, next = energy(star, center - step);
-      for(int k = 0; k < maximum_trials && !(next < e); ++k)
-      {
-        t *= 0.5;
-        next = energy(star, center - t * step);
-      }
-      if(!(next < e))
-        return;
-      center -= t * step;
-      e = next;
-    }
   }
 
   std::vector<Eigen::Vector2d> m_polygon, m_buffer;
