@@ -40,6 +40,16 @@ enum class Connection
   BEST                     ///< the shortest tree within a budget, else the best one found and a lower bound
 };
 
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// how the conformal maps are computed from which candidates for feature points are read; passed by
+/// the named parameter `conformal_solver`.
+enum class Conformal_solver
+{
+  KP_NEWTON, ///< minimizes the MIPS energy, as in the paper
+  SPECTRAL   ///< spectral conformal parameterization, repaired where it flips triangles: one factorization
+};
+
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 

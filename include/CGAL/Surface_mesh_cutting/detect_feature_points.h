@@ -69,6 +69,11 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{conformal_solver}
+///     \cgalParamDescription{how the conformal maps are computed from which the candidates are read}
+///     \cgalParamType{`Surface_mesh_cutting::Conformal_solver`}
+///     \cgalParamDefault{`Conformal_solver::KP_NEWTON`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{the seed from which the start vertex is drawn}
 ///     \cgalParamType{`unsigned int`}

@@ -131,7 +131,7 @@ private:
           return;
       }
       candidates = is_sphere() ? find_candidates<LinearSolver>(m_mesh, m_shapes, start, m_parameters, m_control)
-                               : find_candidates_of_disk<LinearSolver>(m_mesh, m_shapes, opening, m_control);
+                               : find_candidates_of_disk<LinearSolver>(m_mesh, m_shapes, opening, m_parameters, m_control);
       result.candidates = int(candidates.size());
     }
     if(m_control.is_stopped())

@@ -14,14 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// The map from which the candidates are read.
-enum class Conformal_method { KP_NEWTON, SPECTRAL };
 
 // The parameters of the method (paper, Table 1) and what controls its effort. Lengths are in units
 // of the component's average edge length unless said.
@@ -33,7 +32,7 @@ struct Cutting_parameters
   double influence_threshold = 20;           // beta
   double forbidden_radius = 10;              // d_n
   double candidate_radius = 5;               // of the disk around a candidate (Section 3.1.2)
-  Conformal_method conformal_method = Conformal_method::KP_NEWTON;
+  Conformal_solver conformal_solver = Conformal_solver::KP_NEWTON;
   // Whether to stay with the paper: only local maximizers are candidates.
   bool is_faithful = false;
   int number_of_starts = 1;

@@ -19,7 +19,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/remove_flips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,21 +55,35 @@ inline std::vector<Point> chart_points(const Flat_mesh& mesh, const Chart& chart
   return points;
 }
 
-// The isometric distortion of an as-conformal-as-possible map of the surface opened along `cut`, per
-// vertex (paper, Equation (3)). Empty if no flip-free map was found or the run was stopped.
+// An as-conformal-as-possible map without flips. False if none was found or the run was stopped.
 template <typename LinearSolver>
-std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                                     const Cut& cut, Run_control& control)
+bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Chart& chart,
+                   Conformal_solver conformal_solver, Run_control& control, std::vector<Eigen::Vector2d>& uv)
 {
-  const Chart chart = make_chart(mesh, cut);
-  Chart_parameterizer<LinearSolver> parameterizer(chart, chart_points(mesh, chart), shapes);
+  using namespace Surface_mesh_parameterization::internal;
+  const std::vector<Point> points = chart_points(mesh, chart);
+  int flips = 0;
+  if(conformal_solver == Conformal_solver::SPECTRAL && spectral_conformal_map(chart, shapes, uv, &flips) &&
+     (flips == 0 || remove_flips(chart, points, uv)))
+    return control.go_further();
+  Chart_parameterizer<LinearSolver> parameterizer(chart, points, shapes);
   Newton_options options;
   options.decrement = 1e-5;
   options.stop = [&](const auto&) { return !control.go_further(); };
-  std::vector<Eigen::Vector2d> uv;
-  if(parameterizer.conformal_map(uv, options).outcome == Newton_outcome::FAILED || control.is_stopped())
-    return {};
+  return parameterizer.conformal_map(uv, options).outcome != Newton_outcome::FAILED && !control.is_stopped();
+}
+
+// The isometric distortion of an as-conformal-as-possible map of the surface opened along `cut`, per
+// vertex (paper, Equation (3)). Empty if no flip-free map was found or the run was stopped.
+template <typename LinearSolver>
+std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Cut& cut,
+                                     const Cutting_parameters& parameters, Run_control& control)
+{
   using namespace Surface_mesh_parameterization::internal;
+  const Chart chart = make_chart(mesh, cut);
+  std::vector<Eigen::Vector2d> uv;
+  if(!conformal_map<LinearSolver>(mesh, shapes, chart, parameters.conformal_solver, control, uv))
+    return {};
   return vertex_averages(shapes, mesh.triangles(),
                          face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv),
                          mesh.number_of_vertices());
@@ -216,9 +232,10 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
 // What lies on its border is not a candidate.
 template <typename LinearSolver>
 std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                                               const Cut& cut, Run_control& control)
+                                               const Cut& cut, const Cutting_parameters& parameters,
+                                               Run_control& control)
 {
-  const std::vector<double> distortion = proxy_distortion<LinearSolver>(mesh, shapes, cut, control);
+  const std::vector<double> distortion = proxy_distortion<LinearSolver>(mesh, shapes, cut, parameters, control);
   control.report(Phase::CANDIDATES, 1);
   if(distortion.empty())
     return {};
@@ -237,12 +254,13 @@ std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<
 {
   const std::vector<int> first = farthest_pair_path(mesh, start);
   const std::vector<double> first_distortion
-    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, first), control);
+    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, first), parameters, control);
   control.report(Phase::CANDIDATES, 0.5);
   if(first_distortion.empty())
     return {};
   const std::vector<int> second = second_cut(mesh, first, local_maximizers(mesh, first_distortion), parameters);
-  std::vector<double> distortion = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, second), control);
+  std::vector<double> distortion
+    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, second), parameters, control);
   control.report(Phase::CANDIDATES, 1);
   if(control.is_stopped())
     return {};

@@ -76,6 +76,7 @@ Request read_request(const NamedParameters& np)
   read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
   read(get_parameter(np, internal_np::faithful), p.is_faithful);
   read(get_parameter(np, internal_np::random_seed), p.random_seed);
+  read(get_parameter(np, internal_np::conformal_solver), p.conformal_solver);
   read(get_parameter(np, internal_np::effort), request.effort);
   read(get_parameter(np, internal_np::maximum_number_of_states), p.connection.maximum_number_of_states);
 
