@@ -79,7 +79,7 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNBegin{conformal_solver}
 ///     \cgalParamDescription{how the conformal maps are computed from which the candidates are read}
 ///     \cgalParamType{`Surface_mesh_cutting::Conformal_solver`}
-///     \cgalParamDefault{`Conformal_solver::KP_NEWTON`}
+///     \cgalParamDefault{`Conformal_solver::SPECTRAL`, and `Conformal_solver::KP_NEWTON` with `faithful(true)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{effort}
 ///     \cgalParamDescription{how much work is put into a short cut}

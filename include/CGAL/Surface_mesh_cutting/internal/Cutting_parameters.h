@@ -32,7 +32,7 @@ struct Cutting_parameters
   double influence_threshold = 20;           // beta
   double forbidden_radius = 10;              // d_n
   double candidate_radius = 5;               // of the disk around a candidate (Section 3.1.2)
-  Conformal_solver conformal_solver = Conformal_solver::KP_NEWTON;
+  Conformal_solver conformal_solver = Conformal_solver::SPECTRAL;
   // Whether to stay with the paper: only local maximizers are candidates.
   bool is_faithful = false;
   int number_of_starts = 1;
