@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
 
