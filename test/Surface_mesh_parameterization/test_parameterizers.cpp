@@ -2,6 +2,7 @@
 // one border and several, at extreme scales; and what they say to bad input.
 
 #undef NDEBUG
+#include <CGAL/Surface_mesh_parameterization/Bijective_symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
@@ -18,6 +19,7 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
@@ -29,6 +31,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -80,6 +83,22 @@ void check_map(Mesh& mesh, UVMap uv_map, bool is_isometric)
   assert(energy >= 4 && energy < 20);
 }
 
+// Whether no border edge meets another one but at their common vertex.
+template <typename Mesh, typename UVMap>
+bool is_injective(const Mesh& mesh, UVMap uv_map)
+{
+  std::vector<Kernel::Segment_2> border;
+  for(Halfedge<Mesh> h : halfedges(mesh))
+    if(is_border(h, mesh))
+      border.emplace_back(get(uv_map, source(h, mesh)), get(uv_map, target(h, mesh)));
+  for(std::size_t i = 0; i < border.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(border[i].source() != border[j].target() && border[j].source() != border[i].target()
+         && CGAL::do_intersect(border[i], border[j]))
+        return false;
+  return true;
+}
+
 template <template <typename, typename> class Parameterizer, typename Solver, typename Mesh,
           typename UVMap>
 void check(Mesh& mesh, Halfedge<Mesh> border, UVMap uv_map, bool is_isometric)
@@ -101,6 +120,10 @@ void check_all(Mesh& mesh, UVMap uv_map)
   check<SMP::MIPS_parameterizer_3, LDLT_traits>(mesh, border, uv_map, false);
   check<SMP::Symmetric_Dirichlet_parameterizer_3, Default>(mesh, border, uv_map, true);
   check<SMP::Symmetric_Dirichlet_parameterizer_3, LLT_traits>(mesh, border, uv_map, true);
+  check<SMP::Bijective_symmetric_Dirichlet_parameterizer_3, Default>(mesh, border, uv_map, true);
+  assert(is_injective(mesh, uv_map));
+  check<SMP::Bijective_symmetric_Dirichlet_parameterizer_3, LLT_traits>(mesh, border, uv_map, true);
+  assert(is_injective(mesh, uv_map));
 }
 
 template <typename Mesh>
@@ -150,6 +173,34 @@ void test_seam_mesh(const std::string& name, int length)
   check_all(mesh, boost::make_assoc_property_map(uvs));
 }
 
+// Opened along shortest paths to many vertices, a real surface overlaps itself; and does not if that
+// is asked for.
+void test_overlapping_seam_mesh()
+{
+  using Edge = boost::graph_traits<Surface_mesh>::edge_descriptor;
+  Surface_mesh surface = read<Surface_mesh>("cow.off");
+  auto distance = surface.add_property_map<Vertex<Surface_mesh>, double>("v:distance").first;
+  auto former = surface.add_property_map<Vertex<Surface_mesh>, Vertex<Surface_mesh> >("v:former").first;
+  const Vertex<Surface_mesh> root = *vertices(surface).begin();
+  boost::dijkstra_shortest_paths(surface, root, boost::distance_map(distance).predecessor_map(former));
+
+  auto edge_map = surface.add_property_map<Edge, bool>("e", false).first;
+  auto vertex_map = surface.add_property_map<Vertex<Surface_mesh>, bool>("v", false).first;
+  using Seam = CGAL::Seam_mesh<Surface_mesh, decltype(edge_map), decltype(vertex_map)>;
+  Seam mesh(surface, edge_map, vertex_map);
+  for(std::size_t i = 100; i < num_vertices(surface); i += 200)
+    for(Vertex<Surface_mesh> v(i); v != root && mesh.add_seam(v, get(former, v)); v = get(former, v))
+      continue;
+
+  std::unordered_map<Halfedge<Surface_mesh>, Point_2> uvs;
+  const auto uv_map = boost::make_assoc_property_map(uvs);
+  const Halfedge<Seam> border = PMP::longest_border(mesh).first;
+  check<SMP::Symmetric_Dirichlet_parameterizer_3, CGAL::Default>(mesh, border, uv_map, true);
+  assert(!is_injective(mesh, uv_map));
+  check<SMP::Bijective_symmetric_Dirichlet_parameterizer_3, CGAL::Default>(mesh, border, uv_map, true);
+  assert(is_injective(mesh, uv_map));
+}
+
 template <typename Parameterizer>
 SMP::Error_code run(Surface_mesh& mesh, Halfedge<Surface_mesh> bhd)
 {
@@ -164,7 +215,9 @@ SMP::Error_code run(Surface_mesh& mesh, Halfedge<Surface_mesh> bhd)
   const SMP::Error_code conformal = run<SMP::MIPS_parameterizer_3<Surface_mesh> >(mesh, bhd);
   const SMP::Error_code isometric
     = run<SMP::Symmetric_Dirichlet_parameterizer_3<Surface_mesh> >(mesh, bhd);
-  assert(conformal == isometric);
+  const SMP::Error_code bijective
+    = run<SMP::Bijective_symmetric_Dirichlet_parameterizer_3<Surface_mesh> >(mesh, bhd);
+  assert(conformal == isometric && conformal == bijective);
   return conformal;
 }
 
@@ -291,6 +344,7 @@ int main()
   test_seam_mesh<Surface_mesh>("icosahedron.off", 2);
   test_seam_mesh<Surface_mesh>("sphere.off", 8);
   test_seam_mesh<Polyhedron>("nefertiti.off", 4);
+  test_overlapping_seam_mesh();
   test_scales();
   test_components();
   test_errors();

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Connected_parts.h>
 
 #include <utility>
 #include <vector>
@@ -23,41 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What connects triangles across edges that are not open; `part[t]` is the number of the part
-// that the triangle `t` belongs to. Parts are numbered in the order of their lowest triangles.
-struct Connected_parts
-{
-  std::vector<int> part;
-  int number = 0;
-
-  // `opposites` as in `Flat_mesh` and `Chart`. O(n).
-  explicit Connected_parts(const std::vector<int>& opposites)
-    : part(opposites.size() / 3, -1)
-  {
-    std::vector<int> stack;
-    for(int seed = 0; seed < int(part.size()); ++seed)
-    {
-      if(part[seed] >= 0)
-        continue;
-      part[seed] = number;
-      stack.push_back(seed);
-      while(!stack.empty())
-      {
-        const int t = stack.back();
-        stack.pop_back();
-        for(int h = 3 * t; h < 3 * t + 3; ++h)
-        {
-          const int o = opposites[h];
-          if(o < 0 || part[o / 3] >= 0)
-            continue;
-          part[o / 3] = number;
-          stack.push_back(o / 3);
-        }
-      }
-      ++number;
-    }
-  }
-};
+using Surface_mesh_parameterization::internal::Connected_parts;
 
 // The numbers that tell connected orientable surfaces apart.
 struct Topology

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/border_overlaps.h>
 #include <CGAL/Surface_mesh_cutting/internal/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
 
 #include <Eigen/Core>
@@ -111,7 +111,7 @@ inline Certificate certify(const Chart& chart, const std::vector<Eigen::Vector2d
   if(!do_bijective || certificate.non_finite > 0)
     return certificate;
   const Connected_parts parts(chart.opposites());
-  const Border_overlaps overlaps(chart, parts, uv);
+  const Surface_mesh_parameterization::internal::Border_overlaps overlaps(chart, parts, uv);
   certificate.crossings = int(overlaps.crossings().size());
   certificate.containments = int(overlaps.containments().size());
   std::vector<int>& faces = certificate.faces;

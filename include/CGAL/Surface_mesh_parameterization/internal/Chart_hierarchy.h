@@ -35,9 +35,11 @@ namespace internal {
 class Chart_hierarchy
 {
 public:
-  // `points`: the position of each chart vertex on the surface.
-  Chart_hierarchy(const Chart& chart, const std::vector<Eigen::Vector3d>& points)
-    : m_chart(chart), m_points(points)
+  // `points`: the position of each chart vertex on the surface. With `keeps_region`, the image of
+  // each stage lies inside that of the coarser one, so that refining an injective map keeps it so.
+  Chart_hierarchy(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                  bool keeps_region = false)
+    : m_chart(chart), m_points(points), m_keeps_region(keeps_region)
   {
     double sum = 0;
     for(const Triangle& t : chart.triangles())
@@ -48,7 +50,7 @@ public:
   // Collapses down to about `size` vertices. Returns the number of vertices that are left.
   int coarsen(int size)
   {
-    Chart_simplification simplification(m_chart, m_points);
+    Chart_simplification simplification(m_chart, m_points, m_keeps_region);
     simplification.reduce_to(size);
     m_number_of_vertices = simplification.number_of_vertices();
     return m_number_of_vertices;
@@ -131,6 +133,8 @@ public:
     // The stars have changed since: another round takes out what would hold up the global solve.
     for(int v : placed)
     {
+      if(m_keeps_region && m_chart.is_on_border(v))
+        continue;
       collect_star(v, uv);
       place.improve(m_star, uv[v]);
     }
@@ -144,6 +148,17 @@ private:
     m_star.clear();
     for(int h : m_fan)
       m_star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape(h)});
+    if(m_keeps_region && m_chart.is_on_border(v))
+      m_star.push_back(wall());
+  }
+
+  // Keeps a border vertex on the left of the edge that its collapse made of its two border edges.
+  // That region has a kernel unless the vertex is the tip of a single triangle.
+  Star_triangle wall() const
+  {
+    Star_triangle wall{m_star.back().b, m_star.front().a, m_star.front().shape};
+    wall.shape.area = 0; // no energy
+    return wall;
   }
 
   // The shape of the triangle of `h`, corner 0 at the source of `h`.
@@ -155,6 +170,7 @@ private:
 
   Collapsible_chart m_chart;
   const std::vector<Eigen::Vector3d>& m_points;
+  bool m_keeps_region;
   double m_minimal_edge = 0;
   int m_number_of_vertices = 0;
   std::vector<int> m_fan;

@@ -59,8 +59,10 @@ class Chart_simplification
 {
 public:
   // `points` holds the position of each chart vertex on the surface.
-  Chart_simplification(Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points)
-    : m_chart(chart), m_points(points), m_quadrics(points.size()), m_is_stale(points.size(), 0)
+  // With `keeps_tips`, border vertices of a single triangle stay.
+  Chart_simplification(Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points,
+                       bool keeps_tips = false)
+    : m_chart(chart), m_points(points), m_keeps_tips(keeps_tips), m_quadrics(points.size()), m_is_stale(points.size(), 0)
   {
     accumulate_quadrics();
     for(int v = 0; v < int(points.size()); ++v)
@@ -125,6 +127,8 @@ private:
     m_chart.fan(v, m_fan);
     m_chart.ring(v, m_fan, m_ring);
     m_candidates.clear();
+    if(m_keeps_tips && m_fan.size() == 1)
+      return {std::numeric_limits<double>::infinity(), -1};
     for(int j = 0; j < int(m_ring.size()); ++j)
     {
       // The small share of the squared length decides in flat regions, where all errors vanish.
@@ -189,6 +193,7 @@ private:
 
   Collapsible_chart& m_chart;
   const std::vector<Eigen::Vector3d>& m_points;
+  bool m_keeps_tips;
   std::vector<Quadric> m_quadrics;
   std::vector<char> m_is_stale;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int> >,

@@ -14,13 +14,12 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/Default.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
@@ -67,11 +66,11 @@ public:
     return error != OK ? error : read_points(mesh);
   }
 
-  // Writes the map `uv` of the chart at the scale of the mesh. The coordinates as written, in the
-  // number type of the UVs, are what has to be free of flips.
-  template <typename VertexUVMap, typename VertexParameterizedMap>
+  // Writes the map `uv` of the chart at the scale of the mesh. `is_valid(chart, uv)` has to hold for
+  // the coordinates as written, in the number type of the UVs.
+  template <typename VertexUVMap, typename VertexParameterizedMap, typename IsValid>
   Error_code write(std::vector<Eigen::Vector2d> uv, VertexUVMap uvmap,
-                   VertexParameterizedMap vpmap) const
+                   VertexParameterizedMap vpmap, const IsValid& is_valid) const
   {
     using Point_2 = typename boost::property_traits<VertexUVMap>::value_type;
     using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
@@ -84,7 +83,7 @@ public:
       put(vpmap, m_vertices[v], true);
       uv[v] = Eigen::Vector2d(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
     }
-    return count_flips(m_chart.triangles(), uv) == 0 ? OK : ERROR_NO_1_TO_1_MAPPING;
+    return is_valid(m_chart, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
   }
 
 private:
@@ -189,42 +188,6 @@ private:
   std::vector<Eigen::Vector3d> m_points;
   int m_exponent = 0; // of two
 };
-
-// The linear solver that the template parameter of a parameterizer stands for.
-template <typename SolverTraits>
-struct Linear_solver_of
-{
-  using type = Traits_solver<SolverTraits>;
-};
-template <>
-struct Linear_solver_of<Default>
-{
-  using type = Simplicial_solver;
-};
-
-// Maps the component of `bhd` by `solve(Chart_parameterizer&, uv)`, which returns a Newton_result.
-template <typename SolverTraits, typename TriangleMesh, typename VertexUVMap,
-          typename VertexParameterizedMap, typename Solve>
-Error_code
-parameterize_component(const TriangleMesh& mesh,
-                       typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                       VertexUVMap uvmap, VertexParameterizedMap vpmap, const Solve& solve)
-{
-  Mesh_chart<TriangleMesh> component;
-  const Error_code error = component.read(mesh, bhd);
-  if(error != OK)
-    return error;
-  const Chart& chart = component.chart();
-  const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), component.points());
-  Chart_parameterizer<typename Linear_solver_of<SolverTraits>::type>
-    parameterizer(chart, component.points(), shapes);
-  std::vector<Eigen::Vector2d> uv;
-  const Newton_result result = solve(parameterizer, uv);
-  if(result.outcome != Newton_outcome::FAILED)
-    return component.write(std::move(uv), uvmap, vpmap);
-  // Without a factorization there was no map to start from.
-  return result.iterations == 0 ? ERROR_NO_1_TO_1_MAPPING : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-}
 
 } // namespace internal
 } // namespace Surface_mesh_parameterization

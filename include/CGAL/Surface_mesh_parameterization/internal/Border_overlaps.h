@@ -9,12 +9,13 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_BORDER_OVERLAPS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_BORDER_OVERLAPS_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_OVERLAPS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_OVERLAPS_H
 
-#include <CGAL/license/Surface_mesh_cutting.h>
+#include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Connected_parts.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/box_intersection_d.h>
@@ -28,7 +29,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Surface_mesh_cutting {
+namespace Surface_mesh_parameterization {
 namespace internal {
 
 // Decides exactly whether the interiors of the parts of a flat, flip-free chart are disjoint and
@@ -223,7 +224,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Surface_mesh_cutting
+} // namespace Surface_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_BORDER_OVERLAPS_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_OVERLAPS_H

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_BIJECTIVE_SYMMETRIC_DIRICHLET_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_BIJECTIVE_SYMMETRIC_DIRICHLET_PARAMETERIZER_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Free_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+
+#include <CGAL/Default.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+struct Bijective_method
+{
+  template <typename LinearSolver>
+  static Newton_result map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                           const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv)
+  {
+    return bijective_map<LinearSolver>(chart, points, shapes, uv, Newton_options());
+  }
+  static bool is_valid(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+  {
+    return is_bijective(chart, uv);
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgSurfaceMeshCuttingParameterizersRef
+///
+/// The class `Bijective_symmetric_Dirichlet_parameterizer_3` maps a surface with border to the plane
+/// one to one, with as little isometric distortion as possible. It minimizes the same energy as
+/// `Symmetric_Dirichlet_parameterizer_3`: the average of \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ over the
+/// area of the surface, where \f$ J \f$ is the Jacobian of a triangle.
+///
+/// The border is free, but its image does not cross itself. No two triangles of the image
+/// overlap, which is verified with exact predicates; parts of the border may touch. The surface may
+/// have any number of borders, but no handles.
+///
+/// If the result of `Symmetric_Dirichlet_parameterizer_3` has no overlap, it is the answer. Otherwise
+/// the method starts anew from Tutte's embedding \cgalCite{cgal:t-hdg-63} of a simplified surface, which
+/// it refines without leaving the image found so far. Around the image, a scaffold of
+/// triangles \cgalCite{cgal:jsp-scaf-17} is laid: as long as none of them flips, the border cannot cross
+/// itself. Image and scaffold are optimized together by Newton's method with
+/// analytically projected Hessians \cgalCite{cgal:gsc-plmo-18}, and the scaffold is made anew every few
+/// steps, until the energy decreases by less than a thousandth. The result is a local minimum.
+///
+/// A few sparse matrices of about \f$ 2n \f$ rows for \f$ n \f$ vertices are factorized, which takes
+/// \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes; altogether about three times
+/// the time of `Symmetric_Dirichlet_parameterizer_3`. Degenerate faces are given a small height.
+///
+/// \cgalModels{Parameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver
+///         takes symmetric positive definite systems.<br>
+///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
+///         iterations. Eigen 3.3 (or greater) is required.
+///
+/// \sa `Symmetric_Dirichlet_parameterizer_3`
+/// \sa `compute_symmetric_Dirichlet_energy()`
+template <typename TriangleMesh_, typename SolverTraits_ = Default>
+class Bijective_symmetric_Dirichlet_parameterizer_3
+  : public Free_border_parameterizer_3<TriangleMesh_, SolverTraits_, internal::Bijective_method>
+{};
+
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_BIJECTIVE_SYMMETRIC_DIRICHLET_PARAMETERIZER_3_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_FREE_BORDER_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_FREE_BORDER_PARAMETERIZER_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/use.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// The linear solver that the template parameter of a parameterizer stands for.
+template <typename SolverTraits>
+struct Linear_solver_of
+{
+  using type = Traits_solver<SolverTraits>;
+};
+template <>
+struct Linear_solver_of<Default>
+{
+  using type = Simplicial_solver;
+};
+
+// What methods have in common that promise a map without flips, but not without overlaps.
+struct Flip_free_method
+{
+  static bool is_valid(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+  {
+    return count_flips(chart.triangles(), uv) == 0;
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgSurfaceMeshCuttingParameterizersRef
+///
+/// The class `Free_border_parameterizer_3` is the base of the parameterizers that minimize an energy
+/// of the triangles over maps with a free border and without flipped triangles. It reads the
+/// surface, says what keeps it from being mapped, and proves what the map promises.
+///
+/// \cgalModels{Parameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver
+///         takes symmetric positive definite systems.<br>
+///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
+///         iterations. Eigen 3.3 (or greater) is required.
+/// \tparam Method_ is chosen by the derived class.
+///
+/// \sa `MIPS_parameterizer_3`
+/// \sa `Symmetric_Dirichlet_parameterizer_3`
+/// \sa `Bijective_symmetric_Dirichlet_parameterizer_3`
+template <typename TriangleMesh_, typename SolverTraits_, typename Method_>
+class Free_border_parameterizer_3
+{
+public:
+  /// %Triangle mesh type
+  using TriangleMesh = TriangleMesh_;
+
+  /// %Halfedge type of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  /// computes a map from the connected component of `bhd` to the plane.
+  ///
+  /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with
+  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+  ///         `%Point_2` (of any \cgal kernel) as value type.
+  /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+  ///         a unique integer as value type. It is not used.
+  /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with
+  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+  ///         a Boolean as value type.
+  ///
+  /// \param mesh a triangulated surface.
+  /// \param bhd a halfedge on a border of `mesh`. It selects the connected component; all its
+  ///        borders are free.
+  /// \param uvmap receives the position in the plane of each vertex of the component.
+  /// \param vimap unique indices of the vertices.
+  /// \param vpmap is set to `true` for each vertex of the component that was given a position.
+  ///
+  /// \return `OK`, or what is wrong with the component:
+  /// - `ERROR_EMPTY_MESH`: `bhd` is null or has no face at its edge;
+  /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: `bhd` is not on a border, the component has handles, or
+  ///   a vertex is not manifold;
+  /// - `ERROR_BORDER_TOO_SHORT`: no border has three edges;
+  /// - `ERROR_WRONG_PARAMETER`: a coordinate is not finite;
+  /// - `ERROR_NO_1_TO_1_MAPPING`: no map of the kind that the parameterizer promises could be found in
+  ///   floating-point arithmetic, or it cannot be represented by the number type of the UVs;
+  /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver failed.
+  template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
+  Error_code parameterize(TriangleMesh& mesh,
+                          halfedge_descriptor bhd,
+                          VertexUVmap uvmap,
+                          VertexIndexMap vimap,
+                          VertexParameterizedMap vpmap)
+  {
+    CGAL_USE(vimap);
+    using Linear_solver = typename internal::Linear_solver_of<SolverTraits_>::type;
+
+    internal::Mesh_chart<TriangleMesh> component;
+    const Error_code error = component.read(mesh, bhd);
+    if(error != OK)
+      return error;
+    const std::vector<internal::Rest_shape> shapes
+      = internal::rest_shapes(component.chart().triangles(), component.points());
+    std::vector<Eigen::Vector2d> uv;
+    const internal::Newton_result result
+      = Method_::template map<Linear_solver>(component.chart(), component.points(), shapes, uv);
+    if(result.outcome != internal::Newton_outcome::FAILED)
+      return component.write(std::move(uv), uvmap, vpmap, &Method_::is_valid);
+    // Without a factorization there was no map to start from.
+    return result.iterations == 0 ? ERROR_NO_1_TO_1_MAPPING : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  }
+};
+
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_FREE_BORDER_PARAMETERIZER_3_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_MAP_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_MAP_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Border_overlaps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Scaffold_minimization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Whether `uv` flips no triangle and is injective up to contact; exact.
+inline bool is_bijective(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+{
+  if(count_flips(chart.triangles(), uv) > 0)
+    return false;
+  const Border_overlaps overlaps(chart, Connected_parts(chart.opposites()), uv);
+  return overlaps.crossings().empty() && overlaps.containments().empty();
+}
+
+// An injective map near the optimum: Tutte's embedding of the coarsest stage of the hierarchy is
+// injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
+// Should that fail, Tutte's embedding of the whole chart is optimized. False if rounding spoils both.
+template <typename LinearSolver>
+bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                     const std::vector<Rest_shape>& shapes, const Scaffold_options& options,
+                     std::vector<Eigen::Vector2d>& uv)
+{
+  // In coarse stages, parts of the chart still travel far; these stages are cheap.
+  constexpr int largest_coarse_stage = 1000;
+  const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
+  {
+    Scaffold_options stage_options = options;
+    stage_options.decrease = 1e-2;
+    stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_coarse_stage;
+    Scaffold_minimization<LinearSolver>(stage.chart, stage.shapes, stage_options)(stage_uv);
+  };
+  constexpr bool keeps_region = true;
+  uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
+  Chart_hierarchy hierarchy(chart, points, keeps_region);
+  if(map_by_stages<Symmetric_Dirichlet_energy>(hierarchy, optimize, uv) && is_bijective(chart, uv))
+    return true;
+  if(!tutte_map(chart, points, surface_area(shapes), uv))
+    return false;
+  Scaffold_options tutte_options = options;
+  tutte_options.moves_scaffold = true;
+  Scaffold_minimization<LinearSolver>(chart, shapes, tutte_options)(uv);
+  return is_bijective(chart, uv);
+}
+
+// As isometric as possible among the injective maps of a connected chart, free border. The flip-free
+// map is the answer if its borders do not overlap. `points` holds the position of each chart vertex
+// on the surface, `shapes` the triangles laid flat. FAILED if no injective map was found.
+template <typename LinearSolver>
+Newton_result bijective_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                            const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv,
+                            const Newton_options& options)
+{
+  const Newton_result unconstrained
+    = Chart_parameterizer<LinearSolver>(chart, points, shapes).isometric_map(uv, options);
+  if(unconstrained.outcome == Newton_outcome::FAILED ||
+     unconstrained.outcome == Newton_outcome::STOPPED || is_bijective(chart, uv))
+    return unconstrained;
+  Scaffold_options scaffold_options;
+  scaffold_options.stop = options.stop;
+  if(!bijective_start<LinearSolver>(chart, points, shapes, scaffold_options, uv))
+    return Newton_result();
+  const Newton_result result = Scaffold_minimization<LinearSolver>(chart, shapes, scaffold_options)(uv);
+  return is_bijective(chart, uv) ? result : Newton_result();
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_MAP_H
