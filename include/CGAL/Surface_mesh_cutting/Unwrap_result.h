@@ -48,7 +48,8 @@ struct Cut_result
 
   double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
   double cut_length = 0;            ///< total length of the cut edges.
-  /// no cut through the same feature points is shorter than this; empty if no bound was computed.
+  /// no cut through the same feature points and along the constrained edges is shorter than this; empty
+  /// if no bound was computed, as with weights other than lengths.
   std::optional<double> cut_lower_bound;
   /// whether no cut through the same feature points is shorter; empty if no bound was computed.
   std::optional<bool> optimal;

@@ -97,6 +97,27 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`20000000`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{marks edges that are part of the cut from the start. They may separate the surface; then each part is cut to a disk}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_forbidden_map}
+///     \cgalParamDescription{marks edges that must not be cut}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is forbidden}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_weight_map}
+///     \cgalParamDescription{what it costs to cut an edge: paths and trees are sought whose sums of weights are small. Weights are not negative; an edge of infinite weight is not cut}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number type as value type}
+///     \cgalParamDefault{the lengths of the edges}
+///     \cgalParamExtra{see `crease_weights()` and `visibility_weights()`. Lengths in the result are geometric; bounds on them are computed without this map only}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{marks vertices through which the cut has to pass unless they lie on a border; they are among the feature points}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no vertex is constrained}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{the seed from which the start vertex is drawn}
 ///     \cgalParamType{`unsigned int`}
@@ -128,7 +149,9 @@ namespace Surface_mesh_cutting {
 /// \return what was found. Its `status` is `Status_code::OK`, or `Status_code::BOUND_NOT_REACHED` with
 ///         `connection(Connection::EXACT)` where the budget does not suffice for a proof, or
 ///         `Status_code::EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD` or `INVALID_POINT` for a surface
-///         that the package does not take, `WRONG_PARAMETER`, `NUMERICAL_FAILURE`, or `STOPPED`.
+///         that the package does not take, `INFEASIBLE_CONSTRAINTS` with the edges or vertices in conflict,
+///         `WRONG_PARAMETER`, with the edges of invalid weight if there are any, `NUMERICAL_FAILURE`, or
+///         `STOPPED`.
 ///
 /// \sa `unwrap()`
 /// \sa `detect_feature_points()`

@@ -101,6 +101,27 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`20000000`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{marks edges that are part of the cut from the start. They may separate the surface; then each part is cut to a disk}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_forbidden_map}
+///     \cgalParamDescription{marks edges that must not be cut}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is forbidden}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_weight_map}
+///     \cgalParamDescription{what it costs to cut an edge: paths and trees are sought whose sums of weights are small. Weights are not negative; an edge of infinite weight is not cut}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number type as value type}
+///     \cgalParamDefault{the lengths of the edges}
+///     \cgalParamExtra{see `crease_weights()` and `visibility_weights()`. Lengths in the result are geometric; bounds on them are computed without this map only}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{marks vertices through which the cut has to pass unless they lie on a border; they are among the feature points}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no vertex is constrained}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{the seed from which the start vertex is drawn}
 ///     \cgalParamType{`unsigned int`}

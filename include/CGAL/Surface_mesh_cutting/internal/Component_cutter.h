@@ -54,11 +54,13 @@ template <typename LinearSolver, typename ConcurrencyTag>
 class Component_cutter
 {
 public:
-  Component_cutter(const Flat_component& component, const Cutting_parameters& parameters,
+  // Nothing is mandatory, and some cut satisfies the constraints (`keep_one_island()`).
+  Component_cutter(const Flat_component& component, const Edge_constraints& constraints,
+                   const std::vector<int>& terminals, const Cutting_parameters& parameters,
                    Run_control& control, Phase_clock& clock)
     : m_mesh(component.mesh), m_topology(component.topology), m_parameters(parameters), m_control(control), m_clock(clock),
       m_shapes(Surface_mesh_parameterization::internal::rest_shapes(m_mesh.triangles(), m_mesh.points())),
-      m_constraints(unconstrained(m_mesh))
+      m_constraints(constraints), m_terminals(terminals)
   {}
 
   Component_result detect()
@@ -140,11 +142,12 @@ private:
       return;
     }
     const Phase_clock::Measurement measurement(m_clock, Phase::FILTER);
+    keep_connectable(candidates);
     if(is_sphere())
       add_far_vertices(start, candidates);
-    Greedy_filter<LinearSolver> filter(m_mesh, m_shapes, m_parameters, m_control);
+    Greedy_filter<LinearSolver> filter(m_mesh, m_shapes, m_constraints, m_terminals, m_parameters, m_control);
     if(is_sphere() ? filter.run(candidates) : filter.run_on_disk(opening, candidates))
-      result.features = filter.features();
+      result.features = with_terminals(filter.features());
     else
       result.status = failure();
   }
@@ -156,7 +159,7 @@ private:
     if(!handles.status)
       return handles.status;
     m_constraints.mandatory = handles.cut;
-    const Connected_cut connection = connect_points({});
+    const Connected_cut connection = connect_points(m_terminals);
     opening = connection.cut;
     return connection.status;
   }
@@ -167,16 +170,43 @@ private:
                                             [this] { return m_control.go_further(); });
   }
 
+  // Drops candidates that only forbidden edges lead to. Terminals are candidates of infinite scope on a
+  // sphere; on other surfaces, they are connected from the outset.
+  void keep_connectable(std::vector<Candidate>& candidates) const
+  {
+    std::vector<char> is_kept = reachable_vertices(m_mesh, m_constraints);
+    for(int v : m_terminals)
+      is_kept[v] = 0;
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                    [&](const Candidate& c) { return !is_kept[c.vertex]; }),
+                     candidates.end());
+    if(is_sphere())
+      for(int v : m_terminals)
+        candidates.push_back({v, std::numeric_limits<double>::infinity()});
+  }
+
+  std::vector<int> with_terminals(std::vector<int> features) const
+  {
+    features.insert(features.end(), m_terminals.begin(), m_terminals.end());
+    std::sort(features.begin(), features.end());
+    features.erase(std::unique(features.begin(), features.end()), features.end());
+    return features;
+  }
+
   // A surface as even as a sphere may have a single maximizer, or none where the map failed; a cut
   // needs two ends.
   void add_far_vertices(int start, std::vector<Candidate>& candidates) const
   {
     if(candidates.size() >= 2)
       return;
+    const Cut allowed = allowed_edges(m_mesh, m_constraints);
+    const std::vector<char> is_reachable = reachable_vertices(m_mesh, m_constraints);
+    if(!is_reachable[start])
+      start = int(std::find(is_reachable.begin(), is_reachable.end(), char(1)) - is_reachable.begin());
     Shortest_paths paths(m_mesh.graph());
-    const int one_end = candidates.empty() ? farthest_vertex(m_mesh, paths, start, {})
+    const int one_end = candidates.empty() ? farthest_vertex(m_mesh, paths, start, allowed)
                                            : candidates.front().vertex;
-    const int other_end = farthest_vertex(m_mesh, paths, one_end, {});
+    const int other_end = farthest_vertex(m_mesh, paths, one_end, allowed);
     const double infinity = std::numeric_limits<double>::infinity();
     candidates = {{one_end, infinity}, {other_end, infinity}};
   }
@@ -221,6 +251,7 @@ private:
   Phase_clock& m_clock;
   const std::vector<Rest_shape> m_shapes;
   Edge_constraints m_constraints;
+  const std::vector<int> m_terminals;
 };
 
 } // namespace internal

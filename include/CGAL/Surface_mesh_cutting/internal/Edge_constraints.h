@@ -43,6 +43,35 @@ inline Edge_constraints unconstrained(const Flat_mesh& mesh)
   return Edge_constraints{mesh.lengths(), Cut(mesh.number_of_edges(), 0)};
 }
 
+// Whether the weights of the edges that may be cut are their lengths.
+inline bool weights_are_lengths(const Flat_mesh& mesh, const Edge_constraints& constraints)
+{
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!mesh.is_border_edge(e) && !constraints.is_forbidden(e) &&
+       constraints.weights[e] != mesh.length(e))
+      return false;
+  return true;
+}
+
+// The edges that may be cut.
+inline Cut allowed_edges(const Flat_mesh& mesh, const Edge_constraints& constraints)
+{
+  Cut allowed(mesh.number_of_edges());
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    allowed[e] = !mesh.is_border_edge(e) && !constraints.is_forbidden(e);
+  return allowed;
+}
+
+// The vertices at edges that may be cut.
+inline std::vector<char> reachable_vertices(const Flat_mesh& mesh, const Edge_constraints& constraints)
+{
+  std::vector<char> is_reachable(mesh.number_of_vertices(), 0);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!mesh.is_border_edge(e) && !constraints.is_forbidden(e))
+      is_reachable[mesh.source(mesh.halfedge(e))] = is_reachable[mesh.target(mesh.halfedge(e))] = 1;
+  return is_reachable;
+}
+
 inline Edge_constraints restriction(const Edge_constraints& whole, const Flat_component& component)
 {
   Edge_constraints constraints;
@@ -77,10 +106,7 @@ template <typename IsPossible>
 Flat_status check_forbidden_edges(const Flat_mesh& mesh, const Edge_constraints& constraints,
                                   IsPossible is_possible, const std::string& message)
 {
-  Cut allowed(mesh.number_of_edges());
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    allowed[e] = !mesh.is_border_edge(e) && !constraints.is_forbidden(e);
-  const Chart chart = make_chart(mesh, allowed);
+  const Chart chart = make_chart(mesh, allowed_edges(mesh, constraints));
   const Connected_parts parts(chart.opposites());
   const std::vector<Topology> topology = topologies(chart, parts);
   const auto bad = std::find_if_not(topology.begin(), topology.end(), is_possible);

@@ -152,6 +152,29 @@ inline std::vector<Flat_component> split_into_components(Flat_mesh whole)
   return components;
 }
 
+// The components that a cut leaves, as meshes whose borders it is part of. Their elements have the
+// indices of the mesh that is not cut: of several copies each has the same. O(n log n).
+inline std::vector<Flat_component> split_along(const Flat_mesh& mesh, const Cut& cut)
+{
+  const Chart chart = make_chart(mesh, cut);
+  std::vector<Point> points;
+  for(int v : chart.origins())
+    points.push_back(mesh.point(v));
+  std::vector<Flat_component> components
+    = split_into_components(Flat_mesh(std::move(points), chart.triangles(), chart.opposites()));
+  for(Flat_component& c : components)
+  {
+    for(int& v : c.vertices)
+      v = chart.origins()[v];
+    for(int e = 0; e < c.mesh.number_of_edges(); ++e)
+    {
+      const int h = c.mesh.halfedge(e);
+      c.edges[e] = mesh.edge(3 * c.faces[h / 3] + h % 3);
+    }
+  }
+  return components;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -27,21 +28,27 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // Chooses among the candidates (paper, Section 3.1.2): one after the other is connected to the cut,
-// and stays if this lowers the distortion by more than epsilon_iso.
+// and stays if this lowers the distortion by more than epsilon_iso. Terminals stay in any case. No
+// forbidden edge is opened; candidates that only such edges lead to are passed over.
 template <typename LinearSolver>
 class Greedy_filter
 {
 public:
   Greedy_filter(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                const Edge_constraints& constraints, const std::vector<int>& terminals,
                 const Cutting_parameters& parameters, Run_control& control)
-    : m_mesh(mesh), m_parameters(parameters), m_control(control), m_disks(mesh),
-      m_paths(mesh.graph()), m_map(mesh, shapes, control), m_is_on_cut(mesh.number_of_vertices(), 0)
-  {}
+    : m_mesh(mesh), m_constraints(constraints), m_parameters(parameters), m_control(control), m_disks(mesh),
+      m_paths(mesh.graph()), m_map(mesh, shapes, control), m_is_on_cut(mesh.number_of_vertices(), 0),
+      m_is_terminal(mesh.number_of_vertices(), 0)
+  {
+    for(int v : terminals)
+      m_is_terminal[v] = 1;
+  }
 
   // For a closed surface of genus 0. False if no flip-free map was found or the run was stopped.
   bool run(const std::vector<Candidate>& candidates)
   {
-    const Initial_features initial = initialize_features(m_mesh, candidates, m_parameters, m_disks);
+    const Initial_features initial = initialize_features(m_mesh, m_constraints, candidates, m_parameters, m_disks);
     m_features = initial.features;
     return run_from(make_cut(m_mesh, initial.cut), initial.queue);
   }
@@ -101,6 +108,8 @@ private:
         // A full turn without progress: the nearest one passes through the disks of others.
         queue.push_back(v);
         v = take_nearest(queue, path);
+        if(v < 0)
+          return; // only forbidden edges lead to the others
         blocked = 0;
       }
       judge(v, path);
@@ -112,13 +121,17 @@ private:
   {
     // A candidate on the cut cannot be judged; it stays, so that what it gains is not lost when the
     // features are connected in another way.
-    if(path.empty() || m_map.open_if_useful(path, m_parameters.minimum_distortion_decrease))
+    const double threshold = m_is_terminal[v] ? -std::numeric_limits<double>::infinity()
+                                              : m_parameters.minimum_distortion_decrease;
+    if(path.empty() || m_map.open_if_useful(path, threshold))
     {
       m_features.push_back(v);
       for(int e : path)
         mark_on_cut(e);
     }
   }
+
+  double weight(int arc) const { return m_constraints.weights[m_mesh.graph().arcs[arc].edge]; }
 
   // The shortest path from `v` to the cut over the edges of the given faces (none given: all).
   bool find_path(int v, const std::vector<char>& is_open, std::vector<int>& path)
@@ -142,14 +155,15 @@ private:
                   end = w;
                   return false;
                 },
-                [&](int a) { return is_edge_open(arcs[a].edge) ? arcs[a].weight : Shortest_paths::infinity(); });
+                [&](int a) { return is_edge_open(arcs[a].edge) ? weight(a) : Shortest_paths::infinity(); });
     if(end < 0)
       return false;
     m_paths.path(end, std::back_inserter(path));
     return true;
   }
 
-  // Removes from the queue the candidate closest to the cut when disks are ignored.
+  // Removes from the queue the candidate closest to the cut when disks are ignored; -1 if there is
+  // none.
   int take_nearest(std::deque<int>& queue, std::vector<int>& path)
   {
     m_paths.clear();
@@ -163,7 +177,10 @@ private:
                     return true;
                   nearest = w;
                   return false;
-                });
+                },
+                [this](int a) { return weight(a); });
+    if(nearest < 0)
+      return nearest;
     queue.erase(std::find(queue.begin(), queue.end(), nearest));
     path.clear();
     m_paths.path(nearest, std::back_inserter(path));
@@ -177,6 +194,9 @@ private:
     constexpr int maximum_failures = 3;
     const double reach = m_parameters.candidate_radius * average_edge_length(m_mesh);
     std::vector<char> is_excluded = m_is_on_cut;
+    const std::vector<char> is_reachable = reachable_vertices(m_mesh, m_constraints);
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      is_excluded[v] = is_excluded[v] || !is_reachable[v];
     for(int failures = 0; failures < maximum_failures && m_control.go_further();)
     {
       const int v = most_distorted_vertex(is_excluded);
@@ -223,12 +243,13 @@ private:
   }
 
   const Flat_mesh& m_mesh;
+  const Edge_constraints& m_constraints;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;
   Candidate_disks m_disks;
   Shortest_paths m_paths;
   Running_map<LinearSolver> m_map;
-  std::vector<char> m_is_on_cut; // per vertex
+  std::vector<char> m_is_on_cut, m_is_terminal; // per vertex
   std::vector<int> m_features;
 };
 

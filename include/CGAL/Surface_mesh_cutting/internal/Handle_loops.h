@@ -139,10 +139,6 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
     Shortest_loop shortest_loop(surface, tree_cotree, tolerance);
     shortest_loop.search(tree_cotree.cut_graph_nodes());
     const Loop& loop = shortest_loop.loop();
-    if(loop.edges.empty())
-      return Handle_loops{Flat_status(Status_code::WRONG_PARAMETER,
-                                      "edge_weight_map: the sum of the weights is infinite"),
-                          {}, constraints.mandatory};
     result.loops.push_back(Loop_closing(mesh, chart, surface)(loop));
     std::vector<int> halfedges;
     for(int e : loop.edges)

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Component_cutter.h>
 #include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/keep_one_island.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
@@ -47,30 +49,33 @@ struct Mesh_result
 
 enum class Goal { FEATURES, CUT, MAP };
 
-// Runs the method on each component and puts the parts together.
+// Runs the method on each component that the mandatory edges leave and puts the parts together. What
+// is mandatory is opened first: it is border from then on, which the connection takes for connected.
 template <typename LinearSolver, typename ConcurrencyTag>
 class Mesh_cutter
 {
 public:
-  Mesh_cutter(const Flat_mesh& mesh, const Request& request, Run_control& control, Phase_clock& clock)
-    : m_mesh(mesh), m_request(request), m_control(control), m_clock(clock)
+  Mesh_cutter(const Flat_mesh& mesh, const Cutting_constraints& constraints, const Request& request,
+              Run_control& control, Phase_clock& clock)
+    : m_mesh(mesh), m_constraints(constraints), m_request(request), m_control(control), m_clock(clock)
   {}
 
   Mesh_result run(Goal goal)
   {
     Mesh_result result;
     result.diagonal = bounding_box_diagonal(m_mesh);
-    result.cut.assign(m_mesh.number_of_edges(), 0);
-    const std::vector<Flat_component> components = split_into_components(m_mesh);
-    for(const Flat_component& c : components)
-    {
-      ++result.components;
-      result.genus += c.topology.genus();
-      result.borders += c.topology.border_loops;
-    }
+    describe_topology(result);
+    result.status = check_constraints();
+    if(!result.status)
+      return result;
+    const Cut& mandatory = m_constraints.edges.mandatory;
+    result.cut = mandatory;
+    result.length = result.lower_bound = cut_length(m_mesh, mandatory);
+    const std::vector<Flat_component> components = split_along(m_mesh, mandatory);
     for(const Flat_component& c : components)
       if(!run_component(c, goal, result))
         return result;
+    complete(result);
     if(goal == Goal::MAP)
     {
       if(components.size() > 1)
@@ -81,12 +86,70 @@ public:
   }
 
 private:
+  void describe_topology(Mesh_result& result) const
+  {
+    const Chart chart = make_chart(m_mesh, Cut(m_mesh.number_of_edges(), 0));
+    for(const Topology& t : topologies(chart, Connected_parts(chart.opposites())))
+    {
+      ++result.components;
+      result.genus += t.genus();
+      result.borders += t.border_loops;
+    }
+  }
+
+  Flat_status check_constraints() const
+  {
+    std::vector<int> isolated;
+    for(int v : m_constraints.terminals)
+      if(m_mesh.is_isolated(v))
+        isolated.push_back(v);
+    if(!isolated.empty())
+      return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
+                         Element_kind::VERTEX, std::move(isolated));
+    return check_no_edge_is_mandatory_and_forbidden(m_mesh, m_constraints.edges);
+  }
+
+  // The terminals of a component that the border does not connect already.
+  std::vector<int> inner_terminals(const Flat_component& component) const
+  {
+    const std::vector<char> is_open
+      = open_vertices(component.mesh, Cut(component.mesh.number_of_edges(), 0));
+    std::vector<int> terminals;
+    for(int v = 0; v < component.mesh.number_of_vertices(); ++v)
+      if(!is_open[v] && std::binary_search(m_constraints.terminals.begin(), m_constraints.terminals.end(),
+                                           component.vertices[v]))
+        terminals.push_back(v);
+    return terminals;
+  }
+
+  // All terminals are features, also those that needed no connection. No length is proven where
+  // weights are minimized.
+  void complete(Mesh_result& result) const
+  {
+    std::vector<int>& features = result.features;
+    features.insert(features.end(), m_constraints.terminals.begin(), m_constraints.terminals.end());
+    std::sort(features.begin(), features.end());
+    features.erase(std::unique(features.begin(), features.end()), features.end());
+    if(!weights_are_lengths(m_mesh, m_constraints.edges))
+      result.lower_bound = 0;
+  }
+
   bool run_component(const Flat_component& component, Goal goal, Mesh_result& result)
   {
+    Edge_constraints constraints = restriction(m_constraints.edges, component);
+    constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
+    const std::vector<int> terminals = inner_terminals(component);
+    const Flat_status status = keep_one_island(component.mesh, component.topology, terminals, constraints);
+    if(!status)
+    {
+      result.status = component.in_whole(status);
+      return false;
+    }
     Cutting_parameters parameters = m_request.parameters;
     parameters.connection.minimum_length_decrease
       = parameters.minimum_length_decrease * bounding_box_diagonal(component.mesh);
-    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component, parameters, m_control, m_clock);
+    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component, constraints, terminals, parameters, m_control,
+                                                          m_clock);
     Component_result part = goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
     result.candidates += part.candidates;
     if(!part.status)
@@ -115,7 +178,7 @@ private:
   void add_map(const Flat_component& component, Component_result part, Mesh_result& result) const
   {
     if(result.chart.number_of_triangles() == 0)
-      result.chart = Chart(m_mesh.triangles(), m_mesh.opposites(), m_mesh.number_of_vertices());
+      result.chart = make_chart(m_mesh, m_constraints.edges.mandatory);
     std::vector<int> halfedges;
     for(std::size_t e = 0; e < component.edges.size(); ++e)
       if(part.cut[e])
@@ -191,6 +254,7 @@ private:
   }
 
   const Flat_mesh& m_mesh;
+  const Cutting_constraints& m_constraints;
   const Request& m_request;
   Run_control& m_control;
   Phase_clock& m_clock;

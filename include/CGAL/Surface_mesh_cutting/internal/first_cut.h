@@ -80,8 +80,9 @@ inline int farthest_vertex(const Flat_mesh& mesh, Shortest_paths& paths, int v,
 }
 
 // A cut of one edge leaves a border of two edges, on which no flip-free map exists: such a cut is
-// extended by the edge that leads farthest.
-inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges)
+// extended by the allowed edge (empty: any) that leads farthest.
+inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges,
+                               const std::vector<char>& is_allowed = {})
 {
   if(edges.size() != 1)
     return;
@@ -92,7 +93,8 @@ inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges)
     for(int a = mesh.graph().offsets[v]; a < mesh.graph().offsets[v + 1]; ++a)
     {
       const auto& arc = mesh.graph().arcs[a];
-      if(arc.target != s && arc.target != t && arc.weight > length)
+      if(arc.target != s && arc.target != t && arc.weight > length &&
+         (is_allowed.empty() || is_allowed[arc.edge]))
       {
         length = arc.weight;
         best = arc.edge;

@@ -15,36 +15,71 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/Candidate_disks.h>
+#include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The cut that connects `terminals` by a minimum spanning tree of shortest paths over the edges of
-// the given faces (paper, Section 3.2, [KMB81]).
-inline std::vector<int> metric_closure_cut(const Flat_mesh& mesh, const std::vector<char>& is_in_region,
-                                           const std::vector<int>& terminals)
+// The edges of some faces, but the forbidden ones, with their weights.
+struct Region_graph
 {
-  const std::vector<char> is_allowed = edges_of_faces(mesh, is_in_region);
-  std::vector<CGAL::internal::Steiner_tree::Edge> edges;
-  std::vector<int> numbers;
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    if(is_allowed[e])
+  Csr_graph graph;
+  std::vector<int> edges; // of the mesh
+
+  Region_graph(const Flat_mesh& mesh, const Edge_constraints& constraints,
+               const std::vector<char>& is_in_region)
+  {
+    const std::vector<char> is_in_graph = edges_of_faces(mesh, is_in_region);
+    std::vector<CGAL::internal::Steiner_tree::Edge> weighted;
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+      if(is_in_graph[e] && !constraints.is_forbidden(e))
+      {
+        weighted.push_back({mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e)),
+                            constraints.weights[e]});
+        edges.push_back(e);
+      }
+    graph = Csr_graph(mesh.number_of_vertices(), std::move(weighted));
+  }
+
+  // The largest set of the given vertices that the graph connects.
+  std::vector<int> largest_connected_set(const std::vector<int>& vertices) const
+  {
+    CGAL::internal::Steiner_tree::Disjoint_sets sets(graph.number_of_vertices());
+    for(const auto& edge : graph.edges)
+      sets.unite(edge.source, edge.target);
+    std::vector<int> sizes(graph.number_of_vertices(), 0);
+    int largest = -1;
+    for(int v : vertices)
     {
-      edges.push_back(mesh.graph().edges[e]);
-      numbers.push_back(e);
+      const int set = sets.find(v);
+      ++sizes[set];
+      if(largest < 0 || sizes[set] > sizes[largest])
+        largest = set;
     }
-  const Csr_graph graph(mesh.number_of_vertices(), std::move(edges));
-  std::vector<int> cut;
-  for(int e : CGAL::internal::Steiner_tree::metric_closure_tree(graph, terminals).edges)
-    cut.push_back(numbers[e]);
-  return cut;
-}
+    std::vector<int> members;
+    for(int v : vertices)
+      if(sets.find(v) == largest)
+        members.push_back(v);
+    return members;
+  }
+
+  // The cut that connects the terminals by a minimum spanning tree of shortest paths (paper,
+  // Section 3.2, [KMB81]).
+  std::vector<int> metric_closure_cut(const std::vector<int>& terminals) const
+  {
+    std::vector<int> cut;
+    for(int e : CGAL::internal::Steiner_tree::metric_closure_tree(graph, terminals).edges)
+      cut.push_back(edges[e]);
+    return cut;
+  }
+};
 
 // From large to small, ties by index.
 inline void sort_by_scope(std::vector<Candidate>& candidates)
@@ -116,8 +151,9 @@ inline std::vector<int> richest_part(const Flat_mesh& mesh, const Candidate_disk
 
 // Modified cut initialization (paper, Section 3.1.2): candidates with a large scope of influence are
 // features; disks keep the cut through them away from the others. `disks` is left set. Needs at
-// least two candidates.
-inline Initial_features initialize_features(const Flat_mesh& mesh, std::vector<Candidate> candidates,
+// least two candidates, which edges that are not forbidden connect.
+inline Initial_features initialize_features(const Flat_mesh& mesh, const Edge_constraints& constraints,
+                                            std::vector<Candidate> candidates,
                                             const Cutting_parameters& parameters, Candidate_disks& disks)
 {
   sort_by_scope(candidates);
@@ -131,11 +167,13 @@ inline Initial_features initialize_features(const Flat_mesh& mesh, std::vector<C
     disks.set(small, parameters.candidate_radius * average);
     std::vector<char> is_in_part;
     Initial_features initial;
-    initial.features = richest_part(mesh, disks, large, is_in_part);
+    const std::vector<int> richest = richest_part(mesh, disks, large, is_in_part);
+    const Region_graph region(mesh, constraints, is_in_part);
+    initial.features = region.largest_connected_set(richest);
     if(initial.features.size() >= 2)
     {
-      initial.cut = metric_closure_cut(mesh, is_in_part, initial.features);
-      extend_single_edge(mesh, initial.cut);
+      initial.cut = region.metric_closure_cut(initial.features);
+      extend_single_edge(mesh, initial.cut, allowed_edges(mesh, constraints));
       // Features outside the part come first, then the others from large to small scope.
       for(int v : large)
         if(std::find(initial.features.begin(), initial.features.end(), v) == initial.features.end())

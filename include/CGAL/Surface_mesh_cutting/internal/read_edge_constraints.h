@@ -22,6 +22,7 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -82,7 +83,39 @@ Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMa
     return Flat_status(Status_code::WRONG_PARAMETER,
                        "edge_weight_map: weights that are negative or not a number",
                        Element_kind::EDGE, std::move(invalid));
+  double sum = 0;
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!constraints.is_forbidden(e))
+      sum += constraints.weights[e];
+  if(!std::isfinite(4 * sum)) // no path and no bound is heavier
+    return Flat_status(Status_code::WRONG_PARAMETER,
+                       "edge_weight_map: the sum of the weights is infinite");
   return Flat_status();
+}
+
+// What a caller may say about edges and vertices.
+struct Cutting_constraints
+{
+  Edge_constraints edges;
+  std::vector<int> terminals; // vertices that the cut passes through
+};
+
+// Reads `vertex_is_constrained_map` besides the parameters about edges.
+template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
+Flat_status read_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
+                             const NamedParameters& np, Cutting_constraints& constraints)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  const auto is_terminal
+    = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                       Static_boolean_property_map<vertex_descriptor, false>());
+  for(int v = 0; v < adapter.mesh().number_of_vertices(); ++v)
+    if(get(is_terminal, adapter.to_vertex(v)))
+      constraints.terminals.push_back(v);
+  return read_edge_constraints(adapter, np, constraints.edges);
 }
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -76,9 +77,13 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
   Flat_status status = adapter.status();
   if(status)
     status.finding = check_parameters(request.parameters).finding;
+  Cutting_constraints constraints;
+  if(status)
+    status.finding = read_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), request, control, clock);
+    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), constraints, request,
+                                                                          control, clock);
     const Mesh_result found = cutter.run(goal);
     status.finding = found.status.finding;
     translate(found, adapter, result);
