@@ -77,8 +77,17 @@ class Pruned_dynamic_programme
   // what is known at a vertex
   struct Label
   {
+    Set set;
     int table;
+    int size; // of the set
     double length;
+  };
+
+  // of the merges of the present table with another one
+  struct Target
+  {
+    int table = -1;
+    int merge = -1;
   };
 
   const Csr_graph& m_graph;
@@ -94,6 +103,8 @@ class Pruned_dynamic_programme
   std::vector<std::vector<int>> m_tables_by_size;
   std::vector<Merge> m_merges;
   std::vector<std::vector<Label>> m_labels;
+  std::vector<Target> m_targets; // by the other table
+  std::vector<int> m_tables_merged_with;
 
   int m_best_vertex = -1; // the best complete tree: tables with a state at this vertex
   std::vector<int> m_best_tables;
@@ -236,63 +247,72 @@ private:
       count_state();
   }
 
-  // merges the states of a table with those of the earlier tables at the same vertices
+  // merges the states of a table with those of the earlier tables at the same vertices. The larger part of rule 1
+  // may come last, so a union of more than k/2 terminals, which is only completed, must leave a part of at least the
+  // size of the present one. Labels are in the order of their sizes.
   void merge(int index)
   {
-    struct Target
-    {
-      int table = -1;
-      int merge = -1;
-      bool is_disjoint = false;
-      bool is_known = false;
-    };
-    std::vector<Target> targets(m_tables.size());
     const Set set = m_tables[index].set;
+    const int maximum_size = int(m_terminals.size()) - 2 * set.size();
+    m_targets.resize(m_tables.size());
     for(std::size_t s = 0; s < m_tables[index].states.size(); ++s) {
       const State state = m_tables[index].states[s];
       for(const Label& label : m_labels[state.vertex]) {
-        Target& target = targets[label.table];
-        if(!target.is_known) {
-          target.is_known = true;
-          target.is_disjoint = !set.intersects(m_tables[label.table].set);
-        }
+        if(label.size > maximum_size)
+          break;
         const double length = state.length + label.length;
-        if(!target.is_disjoint || length > m_cut)
+        if(length > m_cut || set.intersects(label.set))
           continue;
-        if(target.table < 0) {
-          target.table = table_of(set.united(m_tables[label.table].set));
-          target.merge = int(m_merges.size());
-          m_merges.push_back(Merge{index, label.table});
-        }
+        const Target& target = target_of(index, label);
         Table& united = m_tables[target.table];
         if(length + m_bound(state.vertex, m_all.without(united.set), united.base) > m_cut)
           continue;
-        if(united.set == m_all)
-          improve(length, state.vertex, {index, label.table});
-        else {
-          united.initial.push_back(State{state.vertex, -2 - target.merge, length});
-          count_state();
-        }
+        united.initial.push_back(State{state.vertex, -2 - target.merge, length});
+        count_state();
       }
-      m_labels[state.vertex].push_back(Label{index, state.length});
+      m_labels[state.vertex].push_back(Label{set, index, set.size(), state.length});
     }
+    for(int table : m_tables_merged_with)
+      m_targets[table] = Target();
+    m_tables_merged_with.clear();
   }
 
-  // rule 1: three parts, the last of which is `index`
+  const Target& target_of(int index, const Label& label)
+  {
+    Target& target = m_targets[label.table];
+    if(target.table < 0) {
+      target.table = table_of(m_tables[index].set.united(label.set));
+      target.merge = int(m_merges.size());
+      m_merges.push_back(Merge{index, label.table});
+      m_tables_merged_with.push_back(label.table);
+    }
+    return target;
+  }
+
+  // rule 1: two halves, or three parts, the last of which is `index`
   void complete(int index)
   {
     const auto found = m_table_of_set.find(m_all.without(m_tables[index].set));
     if(found == m_table_of_set.end())
       return;
     const std::vector<State>& states = m_tables[index].states;
-    for(const State& other : m_tables[found->second].initial) {
-      const auto state = std::lower_bound(states.begin(), states.end(), other.vertex,
-                                          [](const State& s, int v) { return s.vertex < v; });
-      if(state == states.end() || state->vertex != other.vertex || other.origin == from_terminal)
-        continue;
+    const auto for_each_match = [&](const std::vector<State>& others, const auto& join) {
+      for(const State& other : others) {
+        const auto state = std::lower_bound(states.begin(), states.end(), other.vertex,
+                                            [](const State& s, int v) { return s.vertex < v; });
+        if(state != states.end() && state->vertex == other.vertex)
+          join(state->length + other.length, other);
+      }
+    };
+    for_each_match(m_tables[found->second].states, [&](double length, const State& other) {
+      improve(length, other.vertex, {index, found->second});
+    });
+    for_each_match(m_tables[found->second].initial, [&](double length, const State& other) {
+      if(other.origin == from_terminal)
+        return;
       const Merge merge = m_merges[-2 - other.origin];
-      improve(state->length + other.length, other.vertex, {index, merge.first, merge.second});
-    }
+      improve(length, other.vertex, {index, merge.first, merge.second});
+    });
   }
 
   void improve(double length, int v, std::vector<int> tables)

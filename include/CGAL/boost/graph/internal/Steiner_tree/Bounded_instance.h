@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
+
+#include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Instance.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_programme.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+// A Steiner tree problem, the best tree known, a lower bound, and an instance in which all shorter trees are left.
+// All terminals must be in one component.
+class Bounded_instance
+{
+  const Csr_graph* m_graph;
+  const std::vector<int>* m_terminals;
+  bool m_has_integral_weights;
+  Instance m_instance;
+  Tree m_best;
+  double m_lower_bound = 0.;
+  bool m_is_optimal = false;
+  int m_last_root = -1, m_best_root = 0;
+
+public:
+  // A tree is optimal if none is shorter by more than this part of its length; larger than rounding errors.
+  static constexpr double tolerance = 1e-10;
+
+  Bounded_instance(const Csr_graph& graph, const std::vector<int>& terminals)
+    : m_graph(&graph)
+    , m_terminals(&terminals)
+    , m_has_integral_weights(std::all_of(graph.edges.begin(), graph.edges.end(),
+                                         [](const Edge& e) { return e.weight == std::floor(e.weight); }))
+    , m_instance(graph, terminals)
+  {}
+
+  // the part of the graph without the edges removed, which must hold the tree
+  Bounded_instance(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<char>& is_removed,
+                   const Tree& tree)
+    : Bounded_instance(graph, terminals)
+  {
+    m_best = tree;
+    remove(is_removed);
+  }
+
+  const Csr_graph& graph() const { return m_instance.graph(); }
+  const std::vector<int>& terminals() const { return m_instance.terminals(); }
+
+  // the best tree, in the original graph
+  const Tree& tree() const { return m_best; }
+  double lower_bound() const { return m_is_optimal ? m_best.length : m_lower_bound; }
+  bool is_optimal() const { return m_is_optimal; }
+
+  // keeps a tree of the instance if it is the shortest so far
+  void improve(const Tree& tree)
+  {
+    if(tree.length == Shortest_paths::infinity())
+      return;
+    const Tree better = make_tree_on_same_vertices(graph(), terminals(), tree);
+    const Tree original = make_tree(*m_graph, *m_terminals, m_instance.original_edges(better.edges));
+    if(original.length < m_best.length)
+      m_best = original;
+  }
+
+  // Removes what no shorter tree can use, by dual ascent with different roots: at least `minimum_number_of_rounds`
+  // times and then as long as a round leaves at most `maximum_ratio` of the edges. False if no tree is shorter.
+  template <typename GoFurther>
+  bool reduce(int minimum_number_of_rounds, double maximum_ratio, GoFurther go_further)
+  {
+    for(int round = 0; !m_is_optimal && go_further(); ++round) {
+      const int size = graph().number_of_edges();
+      reduce_from_next_root();
+      if(round + 1 >= minimum_number_of_rounds && graph().number_of_edges() > maximum_ratio * size)
+        break;
+    }
+    return !m_is_optimal;
+  }
+
+  // the pruned dynamic programme; false if it was stopped
+  template <typename GoFurther>
+  bool search(std::size_t maximum_number_of_states, GoFurther go_further)
+  {
+    const std::size_t k = terminals().size();
+    return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1>(maximum_number_of_states, go_further)
+           : k <= Terminal_set<4>::capacity ? search_with_sets_of<4>(maximum_number_of_states, go_further)
+                                            : false;
+  }
+
+private:
+  // what a tree has to fall short of
+  double cut() const
+  {
+    return m_has_integral_weights ? m_best.length - 0.5 : m_best.length * (1. - tolerance);
+  }
+
+  // the length of the shortest tree of the instance is this much less than that of the original problem
+  double fixed_length() const { return total_weight(*m_graph, m_instance.original_edges({})); }
+
+  void reduce_from_next_root()
+  {
+    const int root = ++m_last_root;
+    const Dual_ascent dual(graph(), terminals(), root % int(terminals().size()));
+    const double fixed = fixed_length();
+    if(fixed + dual.bound() > m_lower_bound) {
+      m_lower_bound = fixed + dual.bound();
+      m_best_root = root;
+    }
+
+    // trees along the arcs that the dual solution has used up are often short
+    improve(shortest_path_heuristic(graph(), terminals(), terminals()[dual.root()], [&](int i) {
+      return dual.is_saturated(i) ? graph().arcs[i].weight : Shortest_paths::infinity();
+    }));
+
+    const std::vector<double> bounds = dual.bounds_with_edge();
+    std::vector<char> is_removed(graph().number_of_edges());
+    for(int e = 0; e < graph().number_of_edges(); ++e)
+      is_removed[e] = fixed + bounds[e] > cut();
+    if(m_lower_bound > cut() || !are_terminals_connected(is_removed))
+      m_is_optimal = true;
+    else
+      remove(is_removed);
+  }
+
+  void remove(const std::vector<char>& is_removed)
+  {
+    m_instance = Degree_reduction(m_instance, is_removed).instance();
+    if(terminals().size() > 1)
+      return;
+    improve(Tree{{}, 0.});
+    m_is_optimal = true;
+  }
+
+  bool are_terminals_connected(const std::vector<char>& is_removed) const
+  {
+    Disjoint_sets components(graph().number_of_vertices());
+    for(int e = 0; e < graph().number_of_edges(); ++e)
+      if(!is_removed[e])
+        components.unite(graph().edges[e].source, graph().edges[e].target);
+    return std::all_of(terminals().begin(), terminals().end(), [&](int t) {
+      return components.find(t) == components.find(terminals().front());
+    });
+  }
+
+  template <int Words, typename GoFurther>
+  bool search_with_sets_of(std::size_t maximum_number_of_states, GoFurther go_further)
+  {
+    const Dual_ascent dual(graph(), terminals(), m_best_root % int(terminals().size()));
+    const Completion_bound<Words> bound(dual);
+    Pruned_dynamic_programme<Words> programme(graph(), terminals(), bound, cut() - fixed_length(),
+                                              maximum_number_of_states);
+    m_is_optimal = programme.run(go_further);
+    if(programme.has_found_tree())
+      improve(programme.tree());
+    return m_is_optimal;
+  }
+};
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
