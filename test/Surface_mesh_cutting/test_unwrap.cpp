@@ -147,6 +147,41 @@ void test_topologies()
   check(bool(result) && result.cut_length == 0 && result.E_iso < 4 + 1e-9, "a flat patch stays whole");
 }
 
+// A sphere with long arms, whose chart overlaps itself; and does not if that is asked for.
+void test_bijective()
+{
+  test::Soup soup = bumpy_sphere(16);
+  for(std::array<double, 3>& p : soup.points)
+  {
+    const double factor = 1 + 1.5 * std::pow(std::sin(4 * p[0]) * std::sin(4 * p[1]) * std::cos(3 * p[2]), 2);
+    p = {factor * p[0], factor * p[1], factor * p[2]};
+  }
+  test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(soup);
+  Maps<test::Surface_mesh> maps(mesh), flat(mesh);
+  const auto quick = CGAL::parameters::connection(SMC::Connection::METRIC_CLOSURE);
+  const auto bijective = quick.do_bijective(true);
+  const auto plain = SMC::unwrap(mesh, maps.is_cut, maps.uv, quick);
+  check(bool(plain) && !plain.overlaps, "overlaps are not counted unless asked for");
+  check(!SMC::certify_unwrap(mesh, maps.is_cut, maps.uv, bijective), "a surface that overlaps itself");
+  const auto result = SMC::unwrap(mesh, flat.is_cut, flat.uv, bijective);
+  check(bool(result) && result.overlaps && *result.overlaps == 0, "a bijective map");
+  check(bool(SMC::certify_unwrap(mesh, flat.is_cut, flat.uv, bijective)), "certificate of a bijective map");
+  check(result.cut_length == plain.cut_length, "the same cut");
+  check(result.E_iso >= plain.E_iso && result.E_iso < plain.E_iso + 0.2, "energy of a bijective map");
+  Maps<test::Surface_mesh> again(mesh);
+  SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv, bijective);
+  check(flat.values(mesh) == again.values(mesh), "the same bijective map with several threads");
+
+  // Several charts, beside each other.
+  test::Soup several = bumpy_sphere(6);
+  several.add(test::torus(16, 8));
+  several.add(test::tube(8, 4));
+  test::Surface_mesh charts = test::make_mesh<test::Surface_mesh>(several);
+  Maps<test::Surface_mesh> laid_out(charts);
+  check(bool(SMC::unwrap(charts, laid_out.is_cut, laid_out.uv, bijective)), "bijective map of several components");
+  check(bool(SMC::certify_unwrap(charts, laid_out.is_cut, laid_out.uv, bijective)), "certificate of several charts");
+}
+
 void test_scales()
 {
   std::vector<double> energies;
@@ -243,6 +278,7 @@ int main()
   check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv)), "the smallest closed surface");
 
   test_topologies();
+  test_bijective();
   test_scales();
   test_methods();
   test_refusals();

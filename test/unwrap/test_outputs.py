@@ -1,6 +1,7 @@
 """The files that the program writes: complete, exact, and the same every time."""
 
 import base64
+import itertools
 import json
 import math
 import os
@@ -9,6 +10,7 @@ import signal
 import subprocess
 import time
 import xml.etree.ElementTree
+from fractions import Fraction
 
 from support import Case, PROGRAM, TIME_LIMIT, main, read_obj, sphere, to_off
 
@@ -25,6 +27,36 @@ def energy(points, uvs):
     uv_area = u[0] * v[1] - u[1] * v[0]
     norm = (dot(u, u) * dot(b, b) - 2 * dot(u, v) * dot(a, b) + dot(v, v) * dot(a, a)) / area ** 2
     return area, norm * (1 + (area / uv_area) ** 2), uv_area
+
+
+def with_arms(mesh):
+    """A body with arms in many directions; the chart of such a surface overlaps itself."""
+    points, faces = mesh
+    arm = lambda p: 1 + 2 * (math.sin(4 * p[0]) * math.sin(4 * p[1]) * math.cos(3 * p[2])) ** 2
+    return [tuple(arm(p) * x for x in p) for p in points], faces
+
+
+def has_crossing(uvs, faces):
+    """Whether two edges on the border of the layout properly cross each other; exact."""
+    sides = {}
+    for face in faces:
+        for k in range(3):
+            edge = face[k][1], face[(k + 1) % 3][1]
+            sides.setdefault(frozenset(edge), []).append(edge)
+    exact = [tuple(map(Fraction, uv)) for uv in uvs]
+    border = [tuple(exact[v] for v in edges[0]) for edges in sides.values() if len(edges) == 1]
+
+    def side(p, q, r):
+        area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+        return (area > 0) - (area < 0)
+
+    def boxes_meet(edge, other):
+        return all(min(edge[0][i], edge[1][i]) <= max(other[0][i], other[1][i])
+                   and min(other[0][i], other[1][i]) <= max(edge[0][i], edge[1][i]) for i in (0, 1))
+
+    return any(boxes_meet(edge, other) and side(*edge, other[0]) * side(*edge, other[1]) < 0
+               and side(*other, edge[0]) * side(*other, edge[1]) < 0
+               for edge, other in itertools.combinations(border, 2))
 
 
 class Outputs(Case):
@@ -86,6 +118,17 @@ class Outputs(Case):
         mean = sum(a * e for a, e, _ in measures) / sum(a for a, _, _ in measures)
         self.assertAlmostEqual(report["E_iso"] / mean, 1, places=9)
         self.assertAlmostEqual(report["E_max"] / max(e for _, e, _ in measures), 1, places=9)
+
+    def test_bijective(self):
+        self.write("arms.off", to_off(with_arms(sphere(3))))
+        exit_code, plain = self.report("arms.off", "-o", "plain.obj")
+        self.assertEqual((exit_code, plain["overlaps"]), (0, None))
+        self.assertTrue(has_crossing(*read_obj(self.folder / "plain.obj")[1:]))
+        exit_code, report = self.report("arms.off", "--bijective")
+        self.assertEqual((exit_code, report["overlaps"], report["flips"]), (0, 0, 0))
+        self.assertFalse(has_crossing(*read_obj(self.folder / "arms.uv.obj")[1:]))
+        self.assertEqual(report["cut_length"], plain["cut_length"])
+        self.assertGreaterEqual(report["E_iso"], plain["E_iso"])
 
     def test_pictures(self):
         self.successful_report(*ALL_OUTPUTS)

@@ -103,6 +103,8 @@ void add_method_options(CLI::App& app, Options& options)
                  "auxiliary points one by one,\nproven shortest, or the best within a budget")
     ->check(CLI::IsMember({"mst", "sph", "greedy", "exact", "best"}))
     ->default_str("best; greedy if --faithful")->group(group);
+  app.add_flag("--bijective", options.is_bijective, "No part of the layout lies on top of another one")
+    ->group(group);
   add_number<double>(app, "--eps-iso", options.eps_iso,
                      "Decrease of the mean energy that makes a point worth a cut", 0, largest)
     ->type_name("X")->default_str("0.01")->group(group);

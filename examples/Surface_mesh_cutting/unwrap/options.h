@@ -17,6 +17,7 @@ struct Options
   std::string effort = "default"; // fast, default, best
   bool is_faithful = false;
   std::optional<std::string> connect; // mst, sph, greedy, exact, best
+  bool is_bijective = false;
   std::optional<double> eps_iso, eps_len, alpha, beta;
 
   std::uint32_t seed = 0;

@@ -197,6 +197,7 @@ Result run_library(const Mesh& mesh, const Options& options, Visitor& visitor, C
       .random_seed(options.seed)
       .effort(effort_of(options.effort))
       .faithful(options.is_faithful)
+      .do_bijective(options.is_bijective)
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
       .minimum_distortion_decrease(options.eps_iso.value_or(0.01))
       .minimum_length_decrease(options.eps_len.value_or(0.01))

@@ -72,7 +72,7 @@ struct Unwrap_result : public Cut_result<TriangleMesh>
   double E_iso = 0; ///< area-averaged symmetric Dirichlet energy of the UVs; 4 is ideal.
   double E_max = 0; ///< largest symmetric Dirichlet energy of a face.
   int flips = 0;    ///< number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.
-  /// number of overlaps, decided exactly; empty unless a bijective map was asked for.
+  /// number of overlaps, decided exactly; empty unless a bijective map was asked for, else 0 if there is a result.
   std::optional<int> overlaps;
 };
 

@@ -85,6 +85,12 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamType{`Surface_mesh_cutting::Conformal_solver`}
 ///     \cgalParamDefault{`Conformal_solver::SPECTRAL`, and `Conformal_solver::KP_NEWTON` with `faithful(true)`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{do_bijective}
+///     \cgalParamDescription{whether the map has to be injective up to contact, too: no two triangles overlap, be they of the same chart or of different ones}
+///     \cgalParamType{Boolean}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{the cut is the same; flattening takes about three times as long where charts would overlap otherwise}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{effort}
 ///     \cgalParamDescription{how much work is put into a short cut}
 ///     \cgalParamType{`Surface_mesh_cutting::Effort`}

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
 #include <CGAL/Surface_mesh_cutting/internal/Phase_clock.h>
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
 
 #include <algorithm>
 #include <limits>
@@ -116,7 +117,7 @@ private:
   {
     if(m_control.is_stopped())
       return Flat_status(Status_code::STOPPED, "the visitor ended the run");
-    return Flat_status(Status_code::NUMERICAL_FAILURE, "no flip-free map of the opened surface was found");
+    return Flat_status(Status_code::NUMERICAL_FAILURE, "no valid map of the opened surface was found");
   }
 
   void detect_features(int start, Component_result& result)
@@ -234,14 +235,23 @@ private:
     const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
     m_control.report(Phase::PARAMETERIZE, 0);
     result.chart = make_chart(m_mesh, result.cut);
-    Chart_parameterizer<LinearSolver> parameterizer(result.chart, chart_points(m_mesh, result.chart), m_shapes);
     Newton_options options;
     options.stop = [this](const Newton_state&) { return !m_control.go_further(); };
-    const Newton_result newton = parameterizer.isometric_map(result.uv, options);
+    const Newton_result newton = final_map(result.chart, result.uv, options);
     result.energy = newton.energy;
     if(newton.outcome == Newton_outcome::FAILED || m_control.is_stopped())
       result.status = failure();
     m_control.report(Phase::PARAMETERIZE, 1);
+  }
+
+  Newton_result final_map(const Chart& chart, std::vector<Eigen::Vector2d>& uv,
+                          const Newton_options& options) const
+  {
+    const std::vector<Eigen::Vector3d> points = chart_points(m_mesh, chart);
+    if(m_parameters.do_bijective)
+      return Surface_mesh_parameterization::internal::bijective_map<LinearSolver>(chart, points, m_shapes,
+                                                                                  uv, options);
+    return Chart_parameterizer<LinearSolver>(chart, points, m_shapes).isometric_map(uv, options);
   }
 
   const Flat_mesh& m_mesh;

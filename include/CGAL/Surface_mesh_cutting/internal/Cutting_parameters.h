@@ -35,6 +35,8 @@ struct Cutting_parameters
   Conformal_solver conformal_solver = Conformal_solver::SPECTRAL;
   // Whether to stay with the paper: only local maximizers are candidates.
   bool is_faithful = false;
+  // Whether the final map of a component has to be injective, too.
+  bool do_bijective = false;
   int number_of_starts = 1;
   // How the feature points are connected; its decrease is epsilon_len as a length.
   CGAL::internal::Steiner_tree::Options connection;

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct Mesh_result
   std::vector<Eigen::Vector2d> uv;
   double average_energy = 0, maximum_energy = 0;
   int flips = 0;
+  std::optional<int> overlaps; // if the map has to be injective
 };
 
 enum class Goal { FEATURES, CUT, MAP };
@@ -232,7 +234,7 @@ private:
     }
   }
 
-  // Measures the map and proves it free of flips; a map that fails is not handed out.
+  // Measures the map and proves it free of flips and, if asked for, of overlaps; a map that fails is not handed out.
   void certify(Mesh_result& result) const
   {
     using namespace Surface_mesh_parameterization::internal;
@@ -245,8 +247,11 @@ private:
     result.average_energy = area_average(shapes, energies);
     result.maximum_energy = *std::max_element(energies.begin(), energies.end());
     const Flat_status disks = check_disks(result.chart);
-    const Certificate certificate = internal::certify(result.chart, result.uv, false);
+    const bool do_bijective = m_request.parameters.do_bijective;
+    const Certificate certificate = internal::certify(result.chart, result.uv, do_bijective);
     result.flips = certificate.flips;
+    if(do_bijective)
+      result.overlaps = certificate.overlaps();
     if(!disks)
       result.status.finding = disks.finding;
     else if(!certificate)

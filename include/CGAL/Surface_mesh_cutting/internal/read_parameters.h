@@ -75,6 +75,7 @@ Request read_request(const NamedParameters& np)
   read(get_parameter(np, internal_np::influence_threshold), p.influence_threshold);
   read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
   read(get_parameter(np, internal_np::faithful), p.is_faithful);
+  read(get_parameter(np, internal_np::do_bijective), p.do_bijective);
   read(get_parameter(np, internal_np::random_seed), p.random_seed);
   // The paper's maps cost ten times as much as spectral ones and lead to cuts of the same quality.
   p.conformal_solver = p.is_faithful ? Conformal_solver::KP_NEWTON : Conformal_solver::SPECTRAL;

@@ -51,6 +51,7 @@ void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<T
   result.E_iso = found.average_energy;
   result.E_max = found.maximum_energy;
   result.flips = found.flips;
+  result.overlaps = found.overlaps;
 }
 
 // The common part of the calls that run the method: checks, runs, lets `write(adapter, found)` hand out

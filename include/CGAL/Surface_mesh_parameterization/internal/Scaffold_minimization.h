@@ -23,7 +23,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -89,7 +88,8 @@ public:
 private:
   double energy(const std::vector<Eigen::Vector2d>& uv) const
   {
-    return area_average(m_shapes, face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart.triangles(), uv));
+    return area_average(
+      m_shapes, face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart.triangles(), uv));
   }
 
   // A few Newton steps with a new scaffold.
@@ -110,10 +110,9 @@ private:
       shapes.push_back(rest_shape(uv[t[0]], uv[t[1]], uv[t[2]]));
       weights.push_back(scaffold_weight / double(m_scaffold.triangles().size()));
     }
-    std::vector<char> is_fixed(uv.size(), 0);
-    std::fill(is_fixed.begin() + n,
-              m_options.moves_scaffold ? is_fixed.begin() + n + Scaffold::number_of_corners : is_fixed.end(),
-              char(1));
+    std::vector<char> is_fixed(n, 0);
+    is_fixed.resize(n + Scaffold::number_of_corners, 1);
+    is_fixed.resize(uv.size(), !m_options.moves_scaffold);
 
     Newton_solver<LinearSolver> solver(triangles, int(uv.size()), std::move(is_fixed));
     Newton_options options;
