@@ -99,6 +99,7 @@ public:
   {
     const std::size_t k = terminals().size();
     return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1>(maximum_number_of_states, go_further)
+           : k <= Terminal_set<2>::capacity ? search_with_sets_of<2>(maximum_number_of_states, go_further)
            : k <= Terminal_set<4>::capacity ? search_with_sets_of<4>(maximum_number_of_states, go_further)
                                             : false;
   }

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_GRAPH_TRAITS_CSR_GRAPH_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_GRAPH_TRAITS_CSR_GRAPH_H
+
+#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <utility>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+// an edge as seen from one of its vertices; the same edge from either side
+struct Csr_edge_descriptor
+{
+  int source = -1;
+  int target = -1;
+  int edge = -1;
+
+  friend bool operator==(const Csr_edge_descriptor& a, const Csr_edge_descriptor& b) { return a.edge == b.edge; }
+  friend bool operator!=(const Csr_edge_descriptor& a, const Csr_edge_descriptor& b) { return a.edge != b.edge; }
+};
+
+// the descriptor of the i-th arc, which is in the row of `source`
+struct Csr_arc_to_edge
+{
+  const Csr_graph* graph = nullptr;
+  int source = -1;
+
+  Csr_edge_descriptor operator()(int i) const { return {source, graph->arcs[i].target, graph->arcs[i].edge}; }
+};
+
+struct Csr_index_to_edge
+{
+  const Csr_graph* graph = nullptr;
+
+  Csr_edge_descriptor operator()(int e) const { return {graph->edges[e].source, graph->edges[e].target, e}; }
+};
+
+struct Csr_traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag, boost::edge_list_graph_tag
+{};
+
+struct Csr_weight_map
+{
+  typedef Csr_edge_descriptor key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  const Csr_graph* graph;
+
+  friend double get(const Csr_weight_map& map, const Csr_edge_descriptor& e) { return map.graph->edges[e.edge].weight; }
+};
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+namespace boost {
+
+// `Csr_graph` is a model of `VertexListGraph`, `IncidenceGraph` and `EdgeListGraph` with the properties `edge_weight`
+// and `vertex_index`: all that Boost's algorithms for shortest paths and spanning trees ask for. A self loop is no
+// out-edge of its vertex.
+template <>
+struct graph_traits<CGAL::internal::Steiner_tree::Csr_graph>
+{
+  typedef int vertex_descriptor;
+  typedef CGAL::internal::Steiner_tree::Csr_edge_descriptor edge_descriptor;
+  typedef undirected_tag directed_category;
+  typedef allow_parallel_edge_tag edge_parallel_category;
+  typedef CGAL::internal::Steiner_tree::Csr_traversal_category traversal_category;
+  typedef int vertices_size_type;
+  typedef int edges_size_type;
+  typedef int degree_size_type;
+  typedef counting_iterator<int> vertex_iterator;
+  typedef transform_iterator<CGAL::internal::Steiner_tree::Csr_arc_to_edge, counting_iterator<int>> out_edge_iterator;
+  typedef transform_iterator<CGAL::internal::Steiner_tree::Csr_index_to_edge, counting_iterator<int>> edge_iterator;
+
+  static vertex_descriptor null_vertex() { return -1; }
+};
+
+template <>
+struct property_map<CGAL::internal::Steiner_tree::Csr_graph, edge_weight_t>
+{
+  typedef CGAL::internal::Steiner_tree::Csr_weight_map type;
+  typedef type const_type;
+};
+
+template <>
+struct property_map<CGAL::internal::Steiner_tree::Csr_graph, vertex_index_t>
+{
+  typedef typed_identity_property_map<int> type;
+  typedef type const_type;
+};
+
+} // namespace boost
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+typedef boost::graph_traits<Csr_graph> Csr_traits;
+
+inline int num_vertices(const Csr_graph& graph) { return graph.number_of_vertices(); }
+inline int num_edges(const Csr_graph& graph) { return graph.number_of_edges(); }
+inline int out_degree(int v, const Csr_graph& graph) { return graph.degree(v); }
+inline int source(const Csr_edge_descriptor& e, const Csr_graph&) { return e.source; }
+inline int target(const Csr_edge_descriptor& e, const Csr_graph&) { return e.target; }
+
+inline std::pair<Csr_traits::vertex_iterator, Csr_traits::vertex_iterator> vertices(const Csr_graph& graph)
+{
+  typedef Csr_traits::vertex_iterator Iterator;
+  return {Iterator(0), Iterator(graph.number_of_vertices())};
+}
+
+inline std::pair<Csr_traits::edge_iterator, Csr_traits::edge_iterator> edges(const Csr_graph& graph)
+{
+  typedef Csr_traits::edge_iterator Iterator;
+  const Csr_index_to_edge descriptor{&graph};
+  return {Iterator(boost::counting_iterator<int>(0), descriptor),
+          Iterator(boost::counting_iterator<int>(graph.number_of_edges()), descriptor)};
+}
+
+inline std::pair<Csr_traits::out_edge_iterator, Csr_traits::out_edge_iterator> out_edges(int v, const Csr_graph& graph)
+{
+  typedef Csr_traits::out_edge_iterator Iterator;
+  const Csr_arc_to_edge descriptor{&graph, v};
+  return {Iterator(boost::counting_iterator<int>(graph.offsets[v]), descriptor),
+          Iterator(boost::counting_iterator<int>(graph.offsets[v + 1]), descriptor)};
+}
+
+inline Csr_weight_map get(boost::edge_weight_t, const Csr_graph& graph) { return Csr_weight_map{&graph}; }
+inline double get(boost::edge_weight_t, const Csr_graph& graph, const Csr_edge_descriptor& e)
+{
+  return graph.edges[e.edge].weight;
+}
+
+inline boost::typed_identity_property_map<int> get(boost::vertex_index_t, const Csr_graph&) { return {}; }
+inline int get(boost::vertex_index_t, const Csr_graph&, int v) { return v; }
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_GRAPH_TRAITS_CSR_GRAPH_H

@@ -1,0 +1,91 @@
+// The flat graph as a model of Boost's graph concepts; shortest paths and spanning trees against Boost's algorithms, and
+// the public call on it.
+
+#include "steiner_tree_checks.h"
+
+#include <CGAL/Random.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/graph_traits_Csr_graph.h>
+#include <CGAL/boost/graph/steiner_tree.h>
+
+#include <boost/concept/assert.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/graph_concepts.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+
+#include <iterator>
+#include <limits>
+
+using Core::Csr_graph;
+typedef boost::graph_traits<Csr_graph>::edge_descriptor Descriptor;
+
+BOOST_CONCEPT_ASSERT((boost::concepts::VertexListGraph<Csr_graph>));
+BOOST_CONCEPT_ASSERT((boost::concepts::IncidenceGraph<Csr_graph>));
+BOOST_CONCEPT_ASSERT((boost::concepts::EdgeListGraph<Csr_graph>));
+BOOST_CONCEPT_ASSERT((boost::concepts::ReadablePropertyGraph<Csr_graph, Descriptor, boost::edge_weight_t>));
+
+Csr_graph random_graph(CGAL::Random& random)
+{
+  const int n = random.get_int(1, 40);
+  std::vector<Core::Edge> edges; // loops, parallel edges, zero weights, and several components included
+  for(int i = random.get_int(0, 4 * n); i > 0; --i)
+    edges.push_back(Core::Edge{random.get_int(0, n), random.get_int(0, n), double(random.get_int(0, 9))});
+  return Csr_graph(n, edges);
+}
+
+void test_shortest_paths(const Csr_graph& graph, int source)
+{
+  std::vector<double> expected(graph.number_of_vertices());
+  boost::dijkstra_shortest_paths(graph, source, boost::distance_map(expected.data())
+                                                  .distance_inf((std::numeric_limits<double>::infinity)()));
+  Core::Shortest_paths paths(graph);
+  paths.add_source(source);
+  paths.run();
+  CHECK(paths.distances() == expected); // sums of integers are exact
+  for(int v = 0; v < graph.number_of_vertices(); ++v)
+    if(paths.distance(v) < (std::numeric_limits<double>::infinity)()) {
+      std::vector<int> path;
+      paths.path(v, std::back_inserter(path));
+      CHECK(Core::total_weight(graph, path) == expected[v]);
+    }
+}
+
+void test_spanning_forest(const Csr_graph& graph)
+{
+  std::vector<Descriptor> expected;
+  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(expected));
+  double length = 0.;
+  for(const Descriptor& e : expected)
+    length += get(boost::edge_weight, graph, e);
+  std::vector<int> all;
+  for(int e = 0; e < graph.number_of_edges(); ++e)
+    all.push_back(e);
+  const std::vector<int> forest = Core::minimum_spanning_forest(graph, all);
+  CHECK(forest.size() == expected.size());
+  CHECK(Core::total_weight(graph, forest) == length);
+}
+
+int main()
+{
+  const unsigned int seed = 20260103;
+  std::cout << "seed " << seed << std::endl;
+  CGAL::Random random(seed);
+  for(int i = 0; i < 2000; ++i) {
+    const Csr_graph graph = random_graph(random);
+    test_shortest_paths(graph, random.get_int(0, graph.number_of_vertices()));
+    test_spanning_forest(graph);
+
+    // terminals may be given several times
+    const int s = random.get_int(0, graph.number_of_vertices()), t = random.get_int(0, graph.number_of_vertices());
+    const std::vector<int> terminals{s, t, s};
+    std::vector<Descriptor> tree;
+    const CGAL::Steiner_tree::Result result = CGAL::steiner_tree(graph, terminals, std::back_inserter(tree));
+    Core::Shortest_paths paths(graph);
+    paths.add_source(s);
+    paths.run();
+    if(paths.distance(t) < (std::numeric_limits<double>::infinity)())
+      CHECK(result && result.is_optimal && result.length == paths.distance(t));
+    else
+      CHECK(result.status == CGAL::Steiner_tree::Status::TERMINALS_NOT_CONNECTED && tree.empty());
+  }
+  return EXIT_SUCCESS;
+}
