@@ -1,6 +1,7 @@
 #include "mesh_file.h"
 
 #include "Text_scanner.h"
+#include "file_bytes.h"
 #include "outcome.h"
 #include "read_with_cgal.h"
 
@@ -8,33 +9,10 @@
 #include <cctype>
 #include <climits>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace {
 
 using Reader = Polygon_soup (*)(std::string_view);
-
-std::string read_bytes(const std::string& path)
-{
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if(!std::filesystem::exists(status))
-    throw Failure(Exit_code::UNREADABLE, "there is no such file");
-  if(!std::filesystem::is_regular_file(status))
-    throw Failure(Exit_code::UNREADABLE, "not a file");
-
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes;
-  if(file)
-  {
-    bytes.resize(std::size_t(std::filesystem::file_size(path)));
-    file.read(&bytes[0], std::streamsize(bytes.size()));
-  }
-  if(!file)
-    throw Failure(Exit_code::UNREADABLE, "the file cannot be read");
-  return bytes;
-}
 
 Reader find_reader_by_extension(const std::string& path)
 {

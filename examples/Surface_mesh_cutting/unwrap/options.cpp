@@ -28,12 +28,18 @@ oriented manifold of triangles. Nothing is repaired: vertices and faces keep num
 Output: texture coordinates have the scale of the surface. Corners share one unless a cut edge
 lies between them. All files appear together when the run is complete, or none.
 
+Constraints: SEL is a .selection.txt file of CGAL with three lines of numbers counted from 0:
+vertices, faces, and edges as pairs of vertices. A file of weights has a line for each edge: its
+two vertices and its weight, at least 0, or inf for an edge that is not cut; other edges weigh
+their length.
+
 Exit status:
   0  done
   2  wrong usage, or an output that cannot be written
   3  the input cannot be read, is truncated, or has indices out of range
   4  the mesh is not supported: not triangles, not a manifold, inconsistently oriented,
-     coordinates that are not finite, no faces; the message says where, counting from 0
+     coordinates that are not finite, no faces; or no cut satisfies the constraints; the
+     message says where, counting from 0
   5  no valid result was found
   6  stopped by the time limit or by Ctrl-C (a second Ctrl-C ends at once)
   7  the result is valid, but a requested bound was not reached
@@ -43,6 +49,7 @@ Examples:
   unwrap cow.off                                   writes cow.uv.obj
   unwrap cow.off -o flat.obj --texture check.png   look at flat.obj in any viewer
   unwrap cow.off --svg flat.svg --json -           picture, and measures on the terminal
+  unwrap cow.off --never-cut face.selection.txt --edge-weights visibility
 )";
 
 // Whole decimal numbers, nothing else: CLI11 would take 010 for eight and NaN for in range.
@@ -120,6 +127,19 @@ void add_method_options(CLI::App& app, Options& options)
     ->type_name("X")->default_str("20")->group(group);
 }
 
+void add_constraint_options(CLI::App& app, Options& options)
+{
+  const std::string group = "Constraints";
+  app.add_option("--must-cut", options.must_cut, "Edges that are cut in any case; they may separate the mesh")
+    ->type_name("SEL")->group(group);
+  app.add_option("--never-cut", options.never_cut, "Edges that are not cut")->type_name("SEL")->group(group);
+  app.add_option("--terminals", options.terminals, "Vertices that the cut passes through")
+    ->type_name("SEL")->group(group);
+  app.add_option("--edge-weights", options.edge_weights,
+                 "What it costs to cut an edge, instead of its length:\ncheap at creases, cheap out of sight, or from a file")
+    ->type_name("crease|visibility|FILE")->group(group);
+}
+
 void add_run_options(CLI::App& app, Options& options)
 {
   const std::string group = "Computation";
@@ -171,6 +191,7 @@ Command_line parse_command_line(int argc, char** argv)
   app.add_option("INPUT", options.input, "Mesh file")->type_name("")->required();
   add_output_options(app, options);
   add_method_options(app, options);
+  add_constraint_options(app, options);
   add_run_options(app, options);
   try
   {

@@ -43,7 +43,11 @@ void write_standard_output(const std::string& text)
 
 void check_outputs(const Options& options)
 {
-  std::vector<fs::path> places = {Output_files::place_of(options.input)};
+  std::vector<fs::path> places;
+  for(const std::string& file : {options.input, options.must_cut, options.never_cut, options.terminals,
+                                 options.edge_weights})
+    if(!file.empty())
+      places.push_back(Output_files::place_of(file));
   for(const std::string& file : {options.output, options.svg, options.texture, options.obj_cut,
                                  options.json, material_file(options).string()})
   {
@@ -53,7 +57,7 @@ void check_outputs(const Options& options)
     const fs::path place = Output_files::place_of(file);
     if(Output_files::is_replaced(place)
        && std::find(places.begin(), places.end(), place) != places.end())
-      throw Failure(Exit_code::USAGE, file + " would be written twice or replace the input");
+      throw Failure(Exit_code::USAGE, file + " would be written twice or replace an input");
     places.push_back(place);
   }
 }

@@ -1,5 +1,6 @@
 #include "run_unwrap.h"
 
+#include "Constraints.h"
 #include "Progress_bar.h"
 #include "interruption.h"
 #include "make_layout.h"
@@ -187,13 +188,11 @@ SMC::Connection connection_of(const std::string& name)
 }
 
 template <typename Solver>
-Result run_library(const Mesh& mesh, const Options& options, Visitor& visitor, Cut_map is_cut, UV_map uvs,
-                   Solver solver)
+Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Visitor& visitor,
+                   Cut_map is_cut, UV_map uvs, Solver solver)
 {
-  // With one thread, Parallel_tag is the sequential algorithm.
-  return SMC::unwrap<CGAL::Parallel_if_available_tag>(
-    mesh, is_cut, uvs,
-    CGAL::parameters::visitor(std::ref(visitor))
+  const auto parameters
+    = CGAL::parameters::visitor(std::ref(visitor))
       .random_seed(options.seed)
       .effort(effort_of(options.effort))
       .faithful(options.is_faithful)
@@ -203,22 +202,27 @@ Result run_library(const Mesh& mesh, const Options& options, Visitor& visitor, C
       .minimum_length_decrease(options.eps_len.value_or(0.01))
       .minimum_area_ratio(options.alpha.value_or(0.1))
       .influence_threshold(options.beta.value_or(20))
-      .sparse_linear_solver(solver));
+      .edge_is_constrained_map(constraints.must_be_cut)
+      .edge_is_forbidden_map(constraints.must_not_be_cut)
+      .vertex_is_constrained_map(constraints.is_terminal)
+      .sparse_linear_solver(solver);
+  // With one thread, Parallel_tag is the sequential algorithm.
+  using Tag = CGAL::Parallel_if_available_tag;
+  return constraints.weights
+           ? SMC::unwrap<Tag>(mesh, is_cut, uvs, parameters.edge_weight_map(*constraints.weights))
+           : SMC::unwrap<Tag>(mesh, is_cut, uvs, parameters);
 }
 
-Result run_library(const Mesh& mesh, const Options& options, Cut_map is_cut, UV_map uvs)
+Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Cut_map is_cut,
+                   UV_map uvs)
 {
   Visitor visitor(options);
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    std::size_t(options.threads));
-#endif
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
   if(options.solver == "cholmod")
-    return run_library(mesh, options, visitor, is_cut, uvs,
+    return run_library(mesh, options, constraints, visitor, is_cut, uvs,
                        CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double> > >());
 #endif
-  return run_library(mesh, options, visitor, is_cut, uvs,
+  return run_library(mesh, options, constraints, visitor, is_cut, uvs,
                      CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > >());
 }
 
@@ -244,10 +248,16 @@ int available_threads()
 
 Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& outcome)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    std::size_t(options.threads));
+#endif
   Mesh mesh = make_mesh(soup);
   const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
   const UV_map uvs = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-  const Result result = run_library(mesh, options, is_cut, uvs);
+  const Constraints constraints = read_constraints(options, mesh);
+  outcome.warnings = constraints.warnings;
+  const Result result = run_library(mesh, options, constraints, is_cut, uvs);
   tell(result, mesh, outcome);
   if(!outcome.has_result)
     return {};

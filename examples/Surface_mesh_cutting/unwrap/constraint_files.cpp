@@ -1,0 +1,81 @@
+#include "constraint_files.h"
+
+#include "Text_scanner.h"
+#include "file_bytes.h"
+#include "outcome.h"
+
+#include <string_view>
+
+namespace {
+
+// Whatever `read(scanner)` finds wrong is told with the name of the file.
+template <typename Read>
+auto read_file(const std::string& path, Read read)
+{
+  try
+  {
+    const std::string bytes = read_bytes(path);
+    Text_scanner scanner(bytes);
+    return read(scanner);
+  }
+  catch(const Failure& failure)
+  {
+    throw Failure(failure.code, path + ": " + failure.what());
+  }
+}
+
+std::vector<int> read_indices(Text_scanner& scanner)
+{
+  std::vector<int> indices;
+  for(std::string_view word = scanner.word_in_line(); !word.empty(); word = scanner.word_in_line())
+    indices.push_back(scanner.to_index(word));
+  return indices;
+}
+
+std::vector<int> read_line(Text_scanner& scanner)
+{
+  const std::vector<int> indices = read_indices(scanner);
+  scanner.skip_line();
+  return indices;
+}
+
+} // namespace
+
+Selection read_selection(const std::string& path)
+{
+  return read_file(path, [](Text_scanner& scanner)
+  {
+    Selection selection;
+    selection.vertices = read_line(scanner);
+    selection.faces = read_line(scanner);
+    const std::vector<int> ends = read_indices(scanner);
+    if(ends.size() % 2 != 0)
+      scanner.fail("the second vertex of an edge", "");
+    for(std::size_t i = 0; i < ends.size(); i += 2)
+      selection.edges.push_back({ends[i], ends[i + 1]});
+    scanner.skip_line();
+    if(const std::string_view word = scanner.word(); !word.empty())
+      scanner.fail("no more than three lines", word);
+    return selection;
+  });
+}
+
+std::vector<Edge_weight> read_edge_weights(const std::string& path)
+{
+  return read_file(path, [](Text_scanner& scanner)
+  {
+    std::vector<Edge_weight> weights;
+    for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
+    {
+      const int source = scanner.to_index(word), target = scanner.index_in_line();
+      const std::string_view number = scanner.word_in_line();
+      const double weight = scanner.to_number(number);
+      if(!(weight >= 0))
+        scanner.fail("a weight that is not negative", number);
+      if(const std::string_view more = scanner.word_in_line(); !more.empty())
+        scanner.fail("the end of the line", more);
+      weights.push_back({{source, target}, weight});
+    }
+    return weights;
+  });
+}

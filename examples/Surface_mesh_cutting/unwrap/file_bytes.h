@@ -1,0 +1,11 @@
+// Files as a whole.
+
+#ifndef UNWRAP_FILE_BYTES_H
+#define UNWRAP_FILE_BYTES_H
+
+#include <string>
+
+// Throws a `Failure` with `Exit_code::UNREADABLE` unless it is a file that can be read.
+std::string read_bytes(const std::string& path);
+
+#endif // UNWRAP_FILE_BYTES_H

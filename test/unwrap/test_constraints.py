@@ -1,0 +1,123 @@
+"""Constraints from files: they are satisfied, and what is wrong with them is said."""
+
+from support import Case, main, read_obj, sphere, to_off, torus
+
+SPHERE = sphere(3)
+# Some edges around a vertex, and the loop around it.
+CENTER = 70
+STAR = [tuple(v for v in face if v != CENTER) for face in SPHERE[1] if CENTER in face]
+FILES = ("--must-cut", "--never-cut", "--terminals", "--edge-weights")
+
+
+def selection(vertices=(), edges=()):
+    return "\n".join([" ".join(map(str, vertices)), "", " ".join(f"{a} {b}" for a, b in edges)]) + "\n"
+
+
+def cut_edges(path):
+    """The edges whose two sides have different texture points."""
+    sides = {}
+    for face in read_obj(path)[2]:
+        for (a, uv_a), (b, uv_b) in zip(face, face[1:] + face[:1]):
+            sides.setdefault(frozenset((a, b)), []).append({a: uv_a, b: uv_b})
+    return {edge for edge, (one, *other) in sides.items() if other and one != other[0]}
+
+
+class Constraints(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("sphere.off", to_off(SPHERE))
+
+    def cut(self, *arguments):
+        exit_code, report = self.report("sphere.off", *arguments)
+        self.assertEqual((exit_code, report["flips"]), (0, 0), report["message"])
+        return report, cut_edges(self.folder / "sphere.uv.obj")
+
+    def test_must_and_never(self):
+        loop = self.write("loop.txt", selection(edges=STAR))
+        report, cut = self.cut("--must-cut", loop)
+        self.assertLessEqual(set(map(frozenset, STAR)), cut)
+        self.assertEqual((report["components"], report["genus"], report["borders"]), (1, 0, 0))
+        self.assertLessEqual(report["cut_lower_bound"], report["cut_length"] + 1e-12)
+
+        cut_by_default = self.cut()[1]
+        never = self.write("never.txt", selection(edges=map(tuple, cut_by_default)))
+        self.assertFalse(self.cut("--never-cut", never)[1] & cut_by_default)
+
+    def test_terminals(self):
+        terminals = self.write("terminals.txt", selection(vertices=[CENTER, 100, 200]))
+        report, cut = self.cut("--terminals", terminals)
+        self.assertLessEqual({CENTER, 100, 200}, set().union(*cut))
+        self.assertGreaterEqual(report["features"], 3)
+
+    def test_weights(self):
+        self.assertIsNone(self.cut("--edge-weights", "crease")[0]["cut_lower_bound"])
+        default, cut = self.cut()
+        # All of a convex surface can be seen.
+        self.assertEqual(self.cut("--edge-weights", "visibility")[0]["cut_length"], default["cut_length"])
+        dear = self.write("dear.txt", "".join(f"{a} {b} 100 # dear\n" for a, b in map(tuple, cut)))
+        self.assertFalse(self.cut("--edge-weights", dear)[1] & cut)
+        same, _ = self.cut("--edge-weights", self.write("none.txt", "\n"))
+        self.assertEqual(same["cut_length"], default["cut_length"])
+        never = self.write("never.txt", "".join(f"{a} {b} inf\n" for a, b in map(tuple, cut)))
+        self.assertFalse(self.cut("--edge-weights", never)[1] & cut)
+
+    def test_same_for_every_number_of_threads(self):
+        loop = self.write("loop.txt", selection(edges=STAR))
+        files = []
+        for threads in (1, 2):
+            self.cut("--must-cut", loop, "--edge-weights", "visibility", "--threads", threads)
+            files.append((self.folder / "sphere.uv.obj").read_bytes())
+        self.assertEqual(*files)
+
+    def test_infeasible(self):
+        loop = self.write("loop.txt", selection(edges=STAR))
+        report = self.assert_refused(4, "sphere.off", "--must-cut", loop, "--never-cut", loop)
+        self.assertEqual((report["witness"]["kind"], len(report["witness"]["indices"])), ("edges", 2 * len(STAR)))
+
+        spokes = self.write("spokes.txt", selection(edges=[(CENTER, v) for v in set(sum(STAR, ()))]))
+        terminal = self.write("terminal.txt", selection(vertices=[CENTER, 3]))
+        report = self.assert_refused(4, "sphere.off", "--never-cut", spokes, "--terminals", terminal)
+        self.assertEqual(report["witness"], {"kind": "vertices", "indices": [CENTER]})
+
+        self.write("torus.off", to_off(torus()))
+        edges = [(a, b) for face in torus()[1] for a, b in zip(face, face[1:])]
+        all_edges = self.write("all.txt", selection(edges=edges + [(face[2], face[0]) for face in torus()[1]]))
+        self.assert_refused(4, "torus.off", "--never-cut", all_edges)
+
+    def test_files_that_cannot_be_read(self):
+        bad = {"three": "1 2\n\n3 4 5\n", "word": "x\n", "negative": "\n\n-1 2\n", "range": "642\n\n0 642\n",
+               "fraction": "1.5\n\n1.5 2\n", "more": "\n\n\n1\n"}
+        for name, text in bad.items():
+            self.write(name, text)
+            for option in FILES[:3]:
+                with self.subTest(name=name, option=option):
+                    report = self.assert_refused(3, "sphere.off", option, name)
+                    self.assertIn(name, report["message"])
+        for text in ("1", "1 2", "1 2 x", "1 2 -3", "1 2 nan", "1 2 3 4", "0 642 1", "x", "-1 2 3", "1 2 -inf"):
+            with self.subTest(weights=text):
+                self.assert_refused(3, "sphere.off", "--edge-weights", self.write("weights", text + "\n"))
+        for option in FILES:
+            self.assert_refused(3, "sphere.off", option, "missing.txt")
+            self.assert_refused(2, "sphere.off", option)
+
+    def test_pairs_that_are_no_edges(self):
+        name = self.write("pair.txt", selection(edges=[(0, 1)]))
+        for option, file in (("--must-cut", name), ("--never-cut", name),
+                             ("--edge-weights", self.write("weights", "0 1 1\n"))):
+            report = self.assert_refused(4, "sphere.off", option, file)
+            self.assertIn("0 and 1", report["message"])
+            self.assertEqual(report["witness"], {"kind": "edges", "indices": [0, 1]})
+        self.assert_refused(4, "sphere.off", "--must-cut", self.write("same.txt", selection(edges=[(5, 5)])))
+
+    def test_nothing_selected(self):
+        nothing = self.write("nothing.txt", "")
+        for option in FILES[:3]:
+            report, _ = self.cut(option, nothing)
+            self.assertEqual(len(report["warnings"]), 1)
+
+    def test_files_are_not_replaced(self):
+        loop = self.write("loop.txt", selection(edges=STAR))
+        self.assert_refused(2, "sphere.off", "--must-cut", loop, "--svg", loop)
+
+
+main()
