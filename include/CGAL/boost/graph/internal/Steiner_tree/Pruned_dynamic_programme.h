@@ -53,6 +53,9 @@ class Pruned_dynamic_programme
   // at the same vertex (-2 - index of the merge)
   static constexpr int from_terminal = -1;
 
+  // looking at so many labels counts as a state, so that the number of states bounds the time, too
+  static constexpr std::size_t labels_per_state = 512;
+
   struct State
   {
     int vertex;
@@ -181,12 +184,12 @@ private:
     return found.first->second;
   }
 
-  void count_state()
+  void count_states(std::size_t number)
   {
-    if(m_remaining_states == 0)
+    if(m_remaining_states < number)
       m_is_complete = false;
     else
-      --m_remaining_states;
+      m_remaining_states -= number;
   }
 
   // computes the lengths from the initial states (Dijkstra) and prunes by rules 2 and 3
@@ -243,8 +246,7 @@ private:
       m_is_other_terminal[t] = 0;
     std::sort(table.states.begin(), table.states.end(),
               [](const State& a, const State& b) { return a.vertex < b.vertex; });
-    for(std::size_t i = 0; i < table.states.size(); ++i)
-      count_state();
+    count_states(table.states.size());
   }
 
   // merges the states of a table with those of the earlier tables at the same vertices. The larger part of rule 1
@@ -255,7 +257,7 @@ private:
     const Set set = m_tables[index].set;
     const int maximum_size = int(m_terminals.size()) - 2 * set.size();
     m_targets.resize(m_tables.size());
-    for(std::size_t s = 0; s < m_tables[index].states.size(); ++s) {
+    for(std::size_t s = 0; m_is_complete && s < m_tables[index].states.size(); ++s) {
       const State state = m_tables[index].states[s];
       for(const Label& label : m_labels[state.vertex]) {
         if(label.size > maximum_size)
@@ -268,8 +270,9 @@ private:
         if(length + m_bound(state.vertex, m_all.without(united.set), united.base) > m_cut)
           continue;
         united.initial.push_back(State{state.vertex, -2 - target.merge, length});
-        count_state();
+        count_states(1);
       }
+      count_states(m_labels[state.vertex].size() / labels_per_state);
       m_labels[state.vertex].push_back(Label{set, index, set.size(), state.length});
     }
     for(int table : m_tables_merged_with)
