@@ -12,12 +12,14 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <iostream>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <thread>
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
@@ -120,6 +122,26 @@ void test_valid(Mesh mesh, const char* name)
   check(bool(parallel) && maps.values(mesh) == again.values(mesh), "the same with several threads");
 }
 
+// Notices when two threads are in it.
+struct Exclusive_visitor : public SMC::Default_visitor
+{
+  std::atomic<int> inside{0};
+  std::atomic<bool> is_shared{false};
+
+  bool go_further() { return visit(); }
+  void progress(SMC::Phase, double) { visit(); }
+
+private:
+  bool visit()
+  {
+    if(++inside > 1)
+      is_shared = true;
+    std::this_thread::yield();
+    --inside;
+    return true;
+  }
+};
+
 // Handles, borders and several components: disks and no flips, whatever the surface.
 void test_topologies()
 {
@@ -137,6 +159,12 @@ void test_topologies()
     check(result.components == c.components && result.genus == c.genus && result.borders == c.borders, "topology");
     check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate of any topology");
     check(result.E_iso < 4.5, "energy of any topology");
+    Maps<test::Surface_mesh> again(mesh);
+    Exclusive_visitor visitor;
+    check(bool(SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv,
+                                                            CGAL::parameters::visitor(std::ref(visitor)))) &&
+            maps.values(mesh) == again.values(mesh), "the same with components in parallel");
+    check(!visitor.is_shared, "one thread at a time calls the visitor");
     for(auto e : edges(mesh))
       check(!is_border(e, mesh) || !get(maps.is_cut, e), "a border edge is not cut");
   }

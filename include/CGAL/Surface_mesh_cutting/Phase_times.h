@@ -19,7 +19,8 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// seconds spent in the phases of a run.
+/// seconds spent in the phases of a run. With `Parallel_tag`, components are treated at the same time:
+/// their phases overlap and may add up to more than the total.
 struct Phase_times
 {
   double candidates = 0;   ///< handles, first cuts, conformal maps, candidates

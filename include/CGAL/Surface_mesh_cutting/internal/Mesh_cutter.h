@@ -22,7 +22,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
 
+#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -74,8 +77,9 @@ public:
     result.cut = mandatory;
     result.length = result.lower_bound = cut_length(m_mesh, mandatory);
     const std::vector<Flat_component> components = split_along(m_mesh, mandatory);
-    for(const Flat_component& c : components)
-      if(!run_component(c, goal, result))
+    std::vector<Component_result> parts = cut_components(components, goal);
+    for(std::size_t i = 0; i < components.size(); ++i)
+      if(!add_part(components[i], std::move(parts[i]), goal, result))
         return result;
     complete(result);
     if(goal == Goal::MAP)
@@ -136,23 +140,44 @@ private:
       result.lower_bound = 0;
   }
 
-  bool run_component(const Flat_component& component, Goal goal, Mesh_result& result)
+  // Each in a place of its own, in parallel if the tag says so. What comes after a component that fails
+  // is not needed.
+  std::vector<Component_result> cut_components(const std::vector<Flat_component>& components, Goal goal)
   {
+    std::vector<Component_result> parts(components.size());
+    std::atomic<int> first_failure(int(components.size()));
+    CGAL::internal::Steiner_tree::for_each_index<ConcurrencyTag>(int(components.size()), [&](int i)
+    {
+      if(i > first_failure)
+        return;
+      parts[i] = cut_component(components[i], goal);
+      for(int first = first_failure; !parts[i].status && i < first;)
+        if(first_failure.compare_exchange_weak(first, i))
+          return;
+    });
+    return parts;
+  }
+
+  Component_result cut_component(const Flat_component& component, Goal goal)
+  {
+    Component_result part;
     Edge_constraints constraints = restriction(m_constraints.edges, component);
     constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
     const std::vector<int> terminals = inner_terminals(component);
-    const Flat_status status = keep_one_island(component.mesh, component.topology, terminals, constraints);
-    if(!status)
-    {
-      result.status = component.in_whole(status);
-      return false;
-    }
+    part.status = keep_one_island(component.mesh, component.topology, terminals, constraints);
+    if(!part.status)
+      return part;
     Cutting_parameters parameters = m_request.parameters;
     parameters.connection.minimum_length_decrease
       = parameters.minimum_length_decrease * bounding_box_diagonal(component.mesh);
     Component_cutter<LinearSolver, ConcurrencyTag> cutter(component, constraints, terminals, parameters, m_control,
                                                           m_clock);
-    Component_result part = goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
+    return goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
+  }
+
+  // Adds what was found for a component; false if it failed.
+  bool add_part(const Flat_component& component, Component_result part, Goal goal, Mesh_result& result) const
+  {
     result.candidates += part.candidates;
     if(!part.status)
     {

@@ -19,12 +19,14 @@
 
 #include <chrono>
 #include <ctime>
+#include <mutex>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Adds up wall and CPU time (of all threads) per phase.
+// Adds up wall and CPU time (of all threads) per phase. Several threads may measure; phases that run at
+// the same time then have the CPU time of both.
 class Phase_clock
 {
   struct Moment { double wall, cpu; };
@@ -42,6 +44,7 @@ public:
     ~Measurement()
     {
       const Moment end = now();
+      const std::lock_guard<std::mutex> lock(m_clock.m_mutex);
       share(m_clock.m_wall, m_phase) += end.wall - m_start.wall;
       share(m_clock.m_cpu, m_phase) += end.cpu - m_start.cpu;
     }
@@ -80,6 +83,7 @@ private:
     return times;
   }
 
+  std::mutex m_mutex; // of the two sums
   Moment m_total_start;
   Phase_times m_wall, m_cpu;
 };

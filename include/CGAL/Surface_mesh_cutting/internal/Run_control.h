@@ -16,7 +16,9 @@
 
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
+#include <atomic>
 #include <functional>
+#include <mutex>
 #include <utility>
 
 namespace CGAL {
@@ -24,7 +26,8 @@ namespace Surface_mesh_cutting {
 
 namespace internal {
 
-// How a run reports to its caller and learns that it has to end. Once ended it stays so.
+// How a run reports to its caller and learns that it has to end. Once ended it stays so. Several threads
+// may call it; the caller is called by one at a time.
 class Run_control
 {
 public:
@@ -35,6 +38,7 @@ public:
 
   bool go_further()
   {
+    const std::lock_guard<std::mutex> lock(m_mutex);
     m_is_stopped = m_is_stopped || (m_go_further && !m_go_further());
     return !m_is_stopped;
   }
@@ -43,6 +47,7 @@ public:
   // `fraction` of the phase that is done, 0 at its start.
   void report(Phase phase, double fraction)
   {
+    const std::lock_guard<std::mutex> lock(m_mutex);
     if(m_progress)
       m_progress(phase, fraction);
   }
@@ -50,7 +55,8 @@ public:
 private:
   std::function<bool()> m_go_further;
   std::function<void(Phase, double)> m_progress;
-  bool m_is_stopped = false;
+  std::atomic<bool> m_is_stopped{false};
+  std::mutex m_mutex;
 };
 
 } // namespace internal
