@@ -4,6 +4,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
+#include <CGAL/Surface_mesh_cutting/connect_points.h>
 #include <CGAL/Surface_mesh_cutting/cut_length.h>
 #include <CGAL/Surface_mesh_cutting/detect_feature_points.h>
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
@@ -163,6 +164,17 @@ void test_edges_that_must_not_be_cut()
   island.mark(island.never, [&](auto e) { return island.height(e) > 3 && island.height(e) < 8; });
   island.run();
   island.check_valid("a band that must not be cut");
+
+  std::vector<test::Surface_mesh::Vertex_index> poles;
+  for(auto v : vertices(island.mesh))
+    if(island.height(v) > 8)
+      poles.push_back(v);
+  check(bool(SMC::connect_points(island.mesh, poles, island.is_cut,
+                                 CGAL::parameters::edge_is_forbidden_map(island.never))), "points beyond a band");
+  poles.push_back(*vertices(island.mesh).begin());
+  check(SMC::connect_points(island.mesh, poles, island.is_cut,
+                            CGAL::parameters::edge_is_forbidden_map(island.never)).status.code ==
+          Status_code::INFEASIBLE_CONSTRAINTS, "points on both sides of a band");
 
   Surface_task handle(torus());
   handle.mark(handle.never, [&](auto e) { return handle.point(source(e, handle.mesh)).x() > 0; });

@@ -115,19 +115,6 @@ private:
     return check_no_edge_is_mandatory_and_forbidden(m_mesh, m_constraints.edges);
   }
 
-  // The terminals of a component that the border does not connect already.
-  std::vector<int> inner_terminals(const Flat_component& component) const
-  {
-    const std::vector<char> is_open
-      = open_vertices(component.mesh, Cut(component.mesh.number_of_edges(), 0));
-    std::vector<int> terminals;
-    for(int v = 0; v < component.mesh.number_of_vertices(); ++v)
-      if(!is_open[v] && std::binary_search(m_constraints.terminals.begin(), m_constraints.terminals.end(),
-                                           component.vertices[v]))
-        terminals.push_back(v);
-    return terminals;
-  }
-
   // All terminals are features, also those that needed no connection. No length is proven where
   // weights are minimized.
   void complete(Mesh_result& result) const
@@ -163,7 +150,7 @@ private:
     Component_result part;
     Edge_constraints constraints = restriction(m_constraints.edges, component);
     constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
-    const std::vector<int> terminals = inner_terminals(component);
+    const std::vector<int> terminals = inner_terminals(component, m_constraints.terminals);
     part.status = keep_one_island(component.mesh, component.topology, terminals, constraints);
     if(!part.status)
       return part;

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
+#include <CGAL/Surface_mesh_cutting/internal/keep_one_island.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
@@ -52,6 +53,11 @@ Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constra
                                  GoFurther go_further)
 {
   Connected_cut result;
+  result.status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
+  if(result.status)
+    result.status = keep_one_island_per_part(mesh, terminals, constraints);
+  if(!result.status)
+    return result;
   const Handle_loops handles = cut_handles_of_components(mesh, constraints);
   result.status = handles.status;
   if(!result.status)

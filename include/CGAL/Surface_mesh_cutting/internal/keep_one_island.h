@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
@@ -146,6 +147,39 @@ inline Flat_status keep_one_island(const Flat_mesh& mesh, const Topology& topolo
   return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS,
                      "edges that must not be cut leave less than two edges in a row",
                      Element_kind::EDGE, std::move(forbidden));
+}
+
+// The vertices of a component that are terminals of the whole (in increasing order), but those that its
+// border connects already.
+inline std::vector<int> inner_terminals(const Flat_component& component, const std::vector<int>& terminals)
+{
+  const std::vector<char> is_open
+    = open_vertices(component.mesh, Cut(component.mesh.number_of_edges(), 0));
+  std::vector<int> inner;
+  for(int v = 0; v < component.mesh.number_of_vertices(); ++v)
+    if(!is_open[v] && std::binary_search(terminals.begin(), terminals.end(), component.vertices[v]))
+      inner.push_back(v);
+  return inner;
+}
+
+// The same as `keep_one_island()` for each part that the mandatory edges leave.
+inline Flat_status keep_one_island_per_part(const Flat_mesh& mesh, std::vector<int> terminals,
+                                            Edge_constraints& constraints)
+{
+  std::sort(terminals.begin(), terminals.end());
+  for(const Flat_component& component : split_along(mesh, constraints.mandatory))
+  {
+    Edge_constraints part = restriction(constraints, component);
+    part.mandatory.assign(component.edges.size(), 0); // it is on the border
+    const Flat_status status = keep_one_island(component.mesh, component.topology,
+                                               inner_terminals(component, terminals), part);
+    if(!status)
+      return component.in_whole(status);
+    for(int e = 0; e < component.mesh.number_of_edges(); ++e)
+      if(!component.mesh.is_border_edge(e))
+        constraints.weights[component.edges[e]] = part.weights[e];
+  }
+  return Flat_status();
 }
 
 } // namespace internal
