@@ -234,7 +234,8 @@ void test_methods()
   for(SMC::Connection connection : {SMC::Connection::METRIC_CLOSURE, SMC::Connection::SHORTEST_PATH_HEURISTIC,
                                     SMC::Connection::GREEDY, SMC::Connection::EXACT, SMC::Connection::BEST})
   {
-    const auto result = SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::connection(connection));
+    const auto result = SMC::greedy_cut(mesh, maps.is_cut,
+                                        CGAL::parameters::connection(connection).effort(SMC::Effort::FAST));
     check(bool(result) && SMC::is_cut_to_disks(mesh, maps.is_cut), "connection");
     shortest = (std::min)(shortest, result.cut_length);
     if(connection == SMC::Connection::EXACT)

@@ -85,6 +85,7 @@ std::string to_json(const Outcome& outcome)
     {"E_max", to_json(outcome.maximum_energy)},
     {"flips", to_json(outcome.flips)},
     {"overlaps", to_json(outcome.overlaps)},
+    {"tradeoff", outcome.trade_offs},
     {"seconds", to_json(outcome.seconds)},
     {"cpu_seconds", to_json(outcome.cpu_seconds)},
     {"threads", to_json(outcome.threads)},

@@ -41,7 +41,8 @@ Exit status:
      coordinates that are not finite, no faces; or no cut satisfies the constraints; the
      message says where, counting from 0
   5  no valid result was found
-  6  stopped by the time limit or by Ctrl-C (a second Ctrl-C ends at once)
+  6  stopped by the time limit or by Ctrl-C (a second Ctrl-C ends at once); if a valid result
+     was there by then, it is written, and the message says so
   7  the result is valid, but a requested bound was not reached
 With 2 to 5, nothing but the JSON report is written.
 
@@ -101,8 +102,8 @@ void add_output_options(CLI::App& app, Options& options)
 void add_method_options(CLI::App& app, Options& options)
 {
   const std::string group = "Method";
-  constexpr double largest = 1e9;
-  app.add_option("--effort", options.effort, "Work put into a short cut; best tries several starts")
+  constexpr double largest = 1e9, ideal = 4;
+  app.add_option("--effort", options.effort, "Work put into a short cut; fast does not shorten it,\nbest tries several starts and many variants")
     ->check(CLI::IsMember({"fast", "default", "best"}))->default_str(options.effort)->group(group);
   app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
   app.add_option("--connect", options.connect,
@@ -112,6 +113,10 @@ void add_method_options(CLI::App& app, Options& options)
     ->default_str("best; greedy if --faithful")->group(group);
   app.add_flag("--bijective", options.is_bijective, "No part of the layout lies on top of another one")
     ->group(group);
+  add_number<double>(app, "--max-distortion", options.maximum_distortion,
+                     "Mean energy to stay below; 4 is no distortion at all,\n4.1 is hardly visible",
+                     std::nextafter(ideal, largest), largest)
+    ->type_name("B")->default_str("none")->group(group);
   add_number<double>(app, "--eps-iso", options.eps_iso,
                      "Decrease of the mean energy that makes a point worth a cut", 0, largest)
     ->type_name("X")->default_str("0.01")->group(group);

@@ -4,6 +4,7 @@
 #ifndef UNWRAP_OUTCOME_H
 #define UNWRAP_OUTCOME_H
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -64,6 +65,7 @@ struct Outcome
   std::optional<bool> is_optimal;
   std::optional<double> average_energy, maximum_energy;
   std::optional<int> flips, overlaps;
+  std::vector<std::array<double, 2> > trade_offs; // length of the cut over the diagonal, mean energy
   Phase_seconds seconds, cpu_seconds;
 
   std::optional<int> threads;

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <sstream>
 
 namespace {
@@ -149,8 +150,7 @@ void tell(const Result& result, const Mesh& mesh, Outcome& outcome)
   outcome.witness = witness_of(result.status, mesh);
   for(const SMC::Finding<Mesh>& warning : result.status.warnings)
     outcome.warnings.push_back(warning.message);
-  outcome.has_result = result.status.code == Status_code::OK
-                       || result.status.code == Status_code::BOUND_NOT_REACHED;
+  outcome.has_result = result.has_result;
 
   outcome.components = result.components;
   outcome.genus = result.genus;
@@ -170,8 +170,12 @@ void tell(const Result& result, const Mesh& mesh, Outcome& outcome)
   outcome.maximum_energy = result.E_max;
   outcome.flips = result.flips;
   outcome.overlaps = result.overlaps;
+  for(const SMC::Trade_off& t : result.trade_offs)
+    outcome.trade_offs.push_back({t.cut_length / result.bounding_box_diagonal, t.E_iso});
   if(outcome.message.empty())
     outcome.message = summary(outcome);
+  else if(outcome.exit_code == Exit_code::STOPPED)
+    outcome.message += "; the best result so far is written: " + summary(outcome);
 }
 
 SMC::Effort effort_of(const std::string& name)
@@ -198,6 +202,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .faithful(options.is_faithful)
       .do_bijective(options.is_bijective)
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
+      .maximum_distortion(options.maximum_distortion.value_or(std::numeric_limits<double>::infinity()))
       .minimum_distortion_decrease(options.eps_iso.value_or(0.01))
       .minimum_length_decrease(options.eps_len.value_or(0.01))
       .minimum_area_ratio(options.alpha.value_or(0.1))

@@ -22,9 +22,9 @@ namespace Surface_mesh_cutting {
 /// how much work is put into a short cut; passed by the named parameter `effort`.
 enum class Effort
 {
-  FAST,    ///< what speed is measured on
-  DEFAULT, ///< the method with a provenly shortest tree wherever that is affordable
-  BEST     ///< several starts, the best result is kept
+  FAST,    ///< no more than feature points and the tree through them
+  DEFAULT, ///< then a few attempts to shorten the cut at about the same distortion
+  BEST     ///< several starts at full resolution and many such attempts, the best result is kept
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Phase_times.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Trade_off.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -33,8 +34,11 @@ namespace Surface_mesh_cutting {
 template <typename TriangleMesh>
 struct Cut_result
 {
-  /// how the run ended; with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED` there is a result.
+  /// how the run ended.
   Status<TriangleMesh> status;
+  /// whether the output maps were written: with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED`, and with
+  /// `Status_code::STOPPED` if a valid result was there by then.
+  bool has_result = false;
 
   int components = 0; ///< number of connected components of the surface.
   int genus = 0;      ///< sum of the genera of the components.
@@ -53,6 +57,11 @@ struct Cut_result
   std::optional<double> cut_lower_bound;
   /// whether no cut through the same feature points is shorter; empty if no bound was computed.
   std::optional<bool> optimal;
+
+  /// what other cuts of the run offer, from short to long: the sequence of cuts that the run went through, without
+  /// those that are neither shorter nor less distorted than another one. On meshes that are coarsened for the
+  /// detection, all but the last are measured on the coarser version. Empty for several components.
+  std::vector<Trade_off> trade_offs;
 
   Phase_times seconds;     ///< wall time.
   Phase_times cpu_seconds; ///< processor time of all threads.

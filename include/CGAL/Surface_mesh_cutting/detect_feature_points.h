@@ -49,6 +49,17 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.01`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_decrease_per_length}
+///     \cgalParamDescription{the decrease of the area-averaged symmetric Dirichlet energy, per length in bounding box diagonals, that makes a point worth the cut to it; 0 leaves the decision to `minimum_distortion_decrease` alone, as in the paper}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.15`, and `0` with `faithful(true)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{coarse_number_of_faces}
+///     \cgalParamDescription{the size of a component above which its feature points are found on a coarser version of about this size; `0`: never}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`3000` with `Effort::FAST`, `5000` with `Effort::DEFAULT`, and `0` with `Effort::BEST` or `faithful(true)`}
+///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_area_ratio}
 ///     \cgalParamDescription{the share of the area that must lie far from the first cut and its maximizers, \f$ \alpha \f$}
 ///     \cgalParamType{`double` between 0 and 1}
@@ -83,6 +94,11 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{marks edges that must not be cut}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is forbidden}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{initial_cut_map}
+///     \cgalParamDescription{marks a cut to start from, such as seams drawn by hand. It is connected, extended and shortened; in contrast to constrained edges, its edges need not stay. Parts that it separates are joined again}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is marked}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_weight_map}
 ///     \cgalParamDescription{what it costs to cut an edge: paths and trees are sought whose sums of weights are small. Weights are not negative; an edge of infinite weight is not cut}

@@ -41,8 +41,8 @@ namespace Surface_mesh_cutting {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface; it is not modified
-/// \param edge_is_cut_map receives `true` or `false` for each edge if the status is `Status_code::OK` or
-///        `Status_code::BOUND_NOT_REACHED`, and is left alone otherwise. See `make_seam_mesh()`
+/// \param edge_is_cut_map receives `true` or `false` for each edge if `Cut_result::has_result`, and is left alone
+///        otherwise. See `make_seam_mesh()`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -50,6 +50,23 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{the decrease of the area-averaged symmetric Dirichlet energy that a point must bring to be kept, \f$ \varepsilon_{iso} \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.01`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_decrease_per_length}
+///     \cgalParamDescription{the decrease of the area-averaged symmetric Dirichlet energy, per length in bounding box diagonals, that makes a point worth the cut to it; 0 leaves the decision to `minimum_distortion_decrease` alone, as in the paper}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.15`, and `0` with `faithful(true)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_distortion}
+///     \cgalParamDescription{the area-averaged symmetric Dirichlet energy that the map must not exceed, greater than 4. The cut is made longer until the map of the surface opened along it keeps this bound, and then shortened as far as the bound allows}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{no bound}
+///     \cgalParamExtra{if no cut is found that keeps it, the status is `Status_code::BOUND_NOT_REACHED`, and the result is the best one found}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{coarse_number_of_faces}
+///     \cgalParamDescription{the size of a component above which its feature points are found on a coarser version of about this size; `0`: never}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`3000` with `Effort::FAST`, `5000` with `Effort::DEFAULT`, and `0` with `Effort::BEST` or `faithful(true)`}
+///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_length_decrease}
 ///     \cgalParamDescription{the decrease of the cut length that an auxiliary point must bring when the points are connected greedily, as a fraction of the length of the bounding box diagonal, \f$ \varepsilon_{len} \f$}
@@ -85,7 +102,7 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{how much work is put into a short cut}
 ///     \cgalParamType{`Surface_mesh_cutting::Effort`}
 ///     \cgalParamDefault{`Effort::DEFAULT`}
-///     \cgalParamExtra{`Effort::BEST` tries four starts and takes the shortest cut among those whose energy is within `minimum_distortion_decrease` of the lowest}
+///     \cgalParamExtra{`Effort::DEFAULT` shortens the cut as long as that costs less than `minimum_distortion_decrease`, with a small budget of solves; `Effort::BEST` does so with a large one, tries four starts and takes the shortest cut among those whose energy is within `minimum_distortion_decrease` of the lowest}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{connection}
 ///     \cgalParamDescription{how the feature points are connected}
@@ -106,6 +123,11 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{marks edges that must not be cut}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is forbidden}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{initial_cut_map}
+///     \cgalParamDescription{marks a cut to start from, such as seams drawn by hand. It is connected, extended and shortened; in contrast to constrained edges, its edges need not stay. Parts that it separates are joined again}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is marked}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_weight_map}
 ///     \cgalParamDescription{what it costs to cut an edge: paths and trees are sought whose sums of weights are small. Weights are not negative; an edge of infinite weight is not cut}
@@ -146,8 +168,9 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was found. Its `status` is `Status_code::OK`, or `Status_code::BOUND_NOT_REACHED` with
-///         `connection(Connection::EXACT)` where the budget does not suffice for a proof, or
+/// \return what was found. Its `status` is `Status_code::OK`, or `Status_code::BOUND_NOT_REACHED` where
+///         `maximum_distortion` cannot be kept or with `connection(Connection::EXACT)` where the budget does not
+///         suffice for a proof, or
 ///         `Status_code::EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD` or `INVALID_POINT` for a surface
 ///         that the package does not take, `INFEASIBLE_CONSTRAINTS` with the edges or vertices in conflict,
 ///         `WRONG_PARAMETER`, with the edges of invalid weight if there are any, `NUMERICAL_FAILURE`, or

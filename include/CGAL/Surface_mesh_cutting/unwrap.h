@@ -47,13 +47,30 @@ namespace Surface_mesh_cutting {
 ///        of `face(h, tmesh)` at `target(h, tmesh)`, at the scale of the surface
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
-/// The maps are left alone unless the status is `Status_code::OK` or `Status_code::BOUND_NOT_REACHED`.
+/// The maps are left alone unless `Cut_result::has_result`.
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_distortion_decrease}
 ///     \cgalParamDescription{the decrease of the area-averaged symmetric Dirichlet energy that a point must bring to be kept, \f$ \varepsilon_{iso} \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.01`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_decrease_per_length}
+///     \cgalParamDescription{the decrease of the area-averaged symmetric Dirichlet energy, per length in bounding box diagonals, that makes a point worth the cut to it; 0 leaves the decision to `minimum_distortion_decrease` alone, as in the paper}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.15`, and `0` with `faithful(true)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_distortion}
+///     \cgalParamDescription{the area-averaged symmetric Dirichlet energy that the map must not exceed, greater than 4. The cut is made longer until the map of the surface opened along it keeps this bound, and then shortened as far as the bound allows}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{no bound}
+///     \cgalParamExtra{if no cut is found that keeps it, the status is `Status_code::BOUND_NOT_REACHED`, and the result is the best one found}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{coarse_number_of_faces}
+///     \cgalParamDescription{the size of a component above which its feature points are found on a coarser version of about this size; `0`: never}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`3000` with `Effort::FAST`, `5000` with `Effort::DEFAULT`, and `0` with `Effort::BEST` or `faithful(true)`}
+///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_length_decrease}
 ///     \cgalParamDescription{the decrease of the cut length that an auxiliary point must bring when the points are connected greedily, as a fraction of the length of the bounding box diagonal, \f$ \varepsilon_{len} \f$}
@@ -95,7 +112,7 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{how much work is put into a short cut}
 ///     \cgalParamType{`Surface_mesh_cutting::Effort`}
 ///     \cgalParamDefault{`Effort::DEFAULT`}
-///     \cgalParamExtra{`Effort::BEST` tries four starts and takes the shortest cut among those whose energy is within `minimum_distortion_decrease` of the lowest}
+///     \cgalParamExtra{`Effort::DEFAULT` shortens the cut as long as that costs less than `minimum_distortion_decrease`, with a small budget of solves; `Effort::BEST` does so with a large one, tries four starts and takes the shortest cut among those whose energy is within `minimum_distortion_decrease` of the lowest}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{connection}
 ///     \cgalParamDescription{how the feature points are connected}
@@ -116,6 +133,11 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{marks edges that must not be cut}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is forbidden}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{initial_cut_map}
+///     \cgalParamDescription{marks a cut to start from, such as seams drawn by hand. It is connected, extended and shortened; in contrast to constrained edges, its edges need not stay. Parts that it separates are joined again}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is marked}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_weight_map}
 ///     \cgalParamDescription{what it costs to cut an edge: paths and trees are sought whose sums of weights are small. Weights are not negative; an edge of infinite weight is not cut}

@@ -28,6 +28,8 @@ CGAL_add_named_parameter(minimum_length_decrease_t, minimum_length_decrease, min
 CGAL_add_named_parameter(minimum_area_ratio_t, minimum_area_ratio, minimum_area_ratio)
 CGAL_add_named_parameter(influence_threshold_t, influence_threshold, influence_threshold)
 CGAL_add_named_parameter(forbidden_radius_t, forbidden_radius, forbidden_radius)
+CGAL_add_named_parameter(minimum_decrease_per_length_t, minimum_decrease_per_length, minimum_decrease_per_length)
+CGAL_add_named_parameter(coarse_number_of_faces_t, coarse_number_of_faces, coarse_number_of_faces)
 CGAL_add_named_parameter(maximum_distortion_t, maximum_distortion, maximum_distortion)
 CGAL_add_named_parameter(do_bijective_t, do_bijective, do_bijective)
 CGAL_add_named_parameter(initial_cut_t, initial_cut, initial_cut_map)

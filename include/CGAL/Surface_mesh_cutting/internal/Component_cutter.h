@@ -14,254 +14,356 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/internal/Coarse_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/Component_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/Cut_refiner.h>
+#include <CGAL/Surface_mesh_cutting/internal/Feature_detector.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
-#include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
-#include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
-#include <CGAL/Surface_mesh_cutting/internal/Phase_clock.h>
-#include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
+
 #include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
 
 #include <algorithm>
 #include <limits>
-#include <random>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What is known about one component of the surface after a run.
-struct Component_result
-{
-  Flat_status status;
-  int candidates = 0, auxiliary = 0;
-  std::vector<int> features;
-  Cut cut;
-  double length = 0, lower_bound = 0;
-  bool is_optimal = false;
-  Chart chart;
-  std::vector<Eigen::Vector2d> uv;
-  double energy = 0;
-};
-
-// The whole method for one connected surface: candidates, filtering, connection and, if asked for, UVs
-// (paper, Section 3). A closed surface of genus 0 is treated as in the paper. Any other one is opened
-// first, along loops that cut its handles and a tree that connects these and its borders: that leaves
-// a disk, against which the candidates are judged. The final cut keeps the loops and connects
-// everything anew.
+// The whole method for one connected surface (paper, Section 3): handles, features, connection and,
+// if asked for, refinement and UVs. The features of a large surface are found on a coarser version
+// of it, at a cost that no longer grows with the surface, and connected on the surface itself.
 template <typename LinearSolver, typename ConcurrencyTag>
 class Component_cutter
 {
+  using Refiner = Cut_refiner<LinearSolver, ConcurrencyTag>;
+
+  static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
+
+  // The surface at one resolution.
+  struct Resolution
+  {
+    const Flat_mesh& mesh;
+    const std::vector<Rest_shape> shapes;
+    Edge_constraints constraints;
+    const std::vector<int> terminals;
+
+    Resolution(const Flat_mesh& m, Edge_constraints c, std::vector<int> t)
+      : mesh(m), shapes(Surface_mesh_parameterization::internal::rest_shapes(m.triangles(), m.points())),
+        constraints(std::move(c)), terminals(std::move(t))
+    {}
+  };
+
 public:
   // Nothing is mandatory, and some cut satisfies the constraints (`keep_one_island()`).
   Component_cutter(const Flat_component& component, const Edge_constraints& constraints,
-                   const std::vector<int>& terminals, const Cutting_parameters& parameters,
-                   Run_control& control, Phase_clock& clock)
-    : m_mesh(component.mesh), m_topology(component.topology), m_parameters(parameters), m_control(control), m_clock(clock),
-      m_shapes(Surface_mesh_parameterization::internal::rest_shapes(m_mesh.triangles(), m_mesh.points())),
-      m_constraints(constraints), m_terminals(terminals)
+                   const std::vector<int>& terminals, const Initial_cut& initial,
+                   const Cutting_parameters& parameters, Run_control& control, Phase_clock& clock)
+    : m_is_sphere(component.topology.genus() == 0 && component.topology.border_loops == 0),
+      m_parameters(parameters), m_control(control), m_clock(clock),
+      m_fine(component.mesh, constraints, terminals), m_initial(initial)
   {}
 
   Component_result detect()
   {
     Component_result result;
-    detect_features(random_start(0), result);
+    result.status = cut_handles_of(m_fine);
+    if(result.status)
+      result.features = find_features(0, result);
     return result;
   }
 
   // Runs from as many starts as the parameters say. The best is the shortest of those whose energy
-  // is within epsilon_iso of the lowest.
+  // is within epsilon_iso of the lowest, if possible among those that keep the bound.
   Component_result run(bool needs_uv)
   {
-    const bool needs_energy = needs_uv || m_parameters.number_of_starts > 1;
+    Component_result best;
+    best.status = cut_handles_of(m_fine);
+    if(!best.status)
+      return best;
+    const bool needs_map = needs_uv || m_parameters.number_of_starts > 1;
     std::vector<Component_result> results;
-    double lowest = std::numeric_limits<double>::infinity();
-    for(int i = 0; i < m_parameters.number_of_starts; ++i)
+    for(int i = 0; i < m_parameters.number_of_starts && m_control.go_further(); ++i)
     {
-      results.push_back(run_from(random_start(i), needs_energy));
-      if(!results.back().status)
-        return results.back();
-      lowest = (std::min)(lowest, results.back().energy);
+      Component_result result = run_from(i, needs_map);
+      if(!result.has_cut && results.empty())
+        return result;
+      if(result.has_cut)
+        results.push_back(std::move(result));
     }
-    const Component_result* best = nullptr;
-    for(const Component_result& r : results)
-      if(r.energy <= lowest + m_parameters.minimum_distortion_decrease &&
-         (best == nullptr || r.length < best->length))
-        best = &r;
-    return *best;
+    if(results.empty())
+    {
+      best.status = failure(m_control);
+      return best;
+    }
+    return best_of(results);
   }
 
 private:
-  int random_start(int i) const
+  bool has_bound() const { return m_parameters.maximum_distortion < std::numeric_limits<double>::infinity(); }
+
+  Component_result best_of(std::vector<Component_result>& results) const
   {
-    std::mt19937 engine(m_parameters.random_seed + 7919u * unsigned(i));
-    return int(engine() % std::mt19937::result_type(m_mesh.number_of_vertices()));
+    double lowest = std::numeric_limits<double>::infinity();
+    for(const Component_result& r : results)
+      lowest = (std::min)(lowest, r.energy);
+    const double limit = has_bound() ? (std::max)(m_parameters.maximum_distortion, lowest)
+                                     : lowest + m_parameters.minimum_distortion_decrease;
+    Component_result* best = nullptr;
+    for(Component_result& r : results)
+      if(r.energy <= limit && (best == nullptr || r.length < best->length))
+        best = &r;
+    return std::move(*best);
   }
 
-  Component_result run_from(int start, bool needs_uv)
+  Flat_status cut_handles_of(Resolution& resolution)
+  {
+    if(m_is_sphere)
+      return Flat_status();
+    const Phase_clock::Measurement measurement(m_clock, Phase::CANDIDATES);
+    Handle_loops handles = cut_handles(resolution.mesh, m_initial.is_given() && &resolution == &m_fine
+                                                          ? m_initial.guide(resolution.constraints)
+                                                          : resolution.constraints);
+    resolution.constraints.mandatory = std::move(handles.cut);
+    return handles.status;
+  }
+
+  Component_result run_from(int start, bool needs_map)
   {
     Component_result result;
-    detect_features(start, result);
-    if(result.status)
-      connect(result);
-    if(result.status && needs_uv)
-      parameterize(result);
+    std::vector<int> features = find_features(start, result);
+    if(!result.status)
+      return result;
+    Refiner refiner = make_refiner(m_fine);
+    if(!connect(refiner, std::move(features), result) || !(needs_map || refines(m_fine)))
+      return result;
+    if(!map(refiner, result))
+      return result;
+    refine_and_parameterize(refiner, result);
+    result.add(refiner.trade_offs());
+    result.keep_undominated_trade_offs();
     return result;
   }
 
-  bool is_sphere() const { return m_topology.genus() == 0 && m_topology.border_loops == 0; }
-
-  Flat_status failure() const
+  Refiner make_refiner(const Resolution& resolution)
   {
-    if(m_control.is_stopped())
-      return Flat_status(Status_code::STOPPED, "the visitor ended the run");
-    return Flat_status(Status_code::NUMERICAL_FAILURE, "no valid map of the opened surface was found");
+    return Refiner(resolution.mesh, resolution.shapes, resolution.constraints, resolution.terminals,
+                   m_parameters.connection, m_control);
   }
 
-  void detect_features(int start, Component_result& result)
+  // A mesh only little larger than the target would not become much simpler. A given cut lies on the
+  // surface itself.
+  bool is_coarsened() const
   {
-    Cut opening;
-    std::vector<Candidate> candidates;
+    return m_parameters.coarse_number_of_faces > 0 && !m_initial.is_given() &&
+           2 * m_fine.mesh.number_of_faces() > 3 * m_parameters.coarse_number_of_faces;
+  }
+
+  bool refines(const Resolution& resolution) const
+  {
+    return has_bound() ||
+           (m_parameters.number_of_shortening_solves > 0 && !(is_coarsened() && &resolution == &m_fine));
+  }
+
+  std::vector<int> find_features(int start, Component_result& result)
+  {
+    return is_coarsened() ? find_features_on_coarse_mesh(start, result) : find_features_of(m_fine, start, result);
+  }
+
+  std::vector<int> find_features_of(const Resolution& resolution, int start, Component_result& result)
+  {
+    Detected_features detected
+      = Feature_detector<LinearSolver, ConcurrencyTag>(resolution.mesh, resolution.shapes, m_is_sphere,
+                                                       resolution.constraints, resolution.terminals, m_initial,
+                                                       m_parameters, m_control, m_clock).run(start);
+    result.status = detected.status;
+    result.candidates = detected.number_of_candidates;
+    result.add(detected.trade_offs);
+    return std::move(detected.features);
+  }
+
+  // Constraints hold on the surface itself: they do not matter here, but what they make unreachable is
+  // dropped in the end. Refinement is done here, too, where it is cheap.
+  std::vector<int> find_features_on_coarse_mesh(int start, Component_result& result)
+  {
+    const Coarse_mesh coarse = [&]
     {
       const Phase_clock::Measurement measurement(m_clock, Phase::CANDIDATES);
-      m_control.report(Phase::CANDIDATES, 0);
-      if(!is_sphere())
-      {
-        result.status = open_to_disk(opening);
-        if(!result.status)
-          return;
-      }
-      candidates = is_sphere() ? find_candidates<LinearSolver>(m_mesh, m_shapes, start, m_parameters, m_control)
-                               : find_candidates_of_disk<LinearSolver>(m_mesh, m_shapes, opening, m_parameters, m_control);
-      result.candidates = int(candidates.size());
-    }
-    if(m_control.is_stopped())
+      return Coarse_mesh(m_fine.mesh, m_parameters.coarse_number_of_faces / 2);
+    }();
+    Resolution resolution(coarse.mesh, unconstrained(coarse.mesh), {});
+    result.status = cut_handles_of(resolution);
+    if(!result.status)
+      return {};
+    std::vector<int> features = find_features_of(resolution, start, result);
+    if(result.status && refines(resolution))
     {
-      result.status = failure();
-      return;
+      const Phase_clock::Measurement measurement(m_clock, Phase::REFINE);
+      Refiner refiner = make_refiner(resolution);
+      if(refiner.connect(features) && refiner.map())
+      {
+        refine(refiner, m_parameters.number_of_shortening_solves, m_parameters.maximum_distortion);
+        features = refiner.features();
+      }
+      result.add(refiner.trade_offs());
+      if(m_control.is_stopped())
+        result.status = failure(m_control);
     }
-    const Phase_clock::Measurement measurement(m_clock, Phase::FILTER);
-    keep_connectable(candidates);
-    if(is_sphere())
-      add_far_vertices(start, candidates);
-    Greedy_filter<LinearSolver> filter(m_mesh, m_shapes, m_constraints, m_terminals, m_parameters, m_control);
-    if(is_sphere() ? filter.run(candidates) : filter.run_on_disk(opening, candidates))
-      result.features = with_terminals(filter.features());
-    else
-      result.status = failure();
+    return lifted(coarse, features);
   }
 
-  // Cuts the handles, which is final, and connects the borders, which is not.
-  Flat_status open_to_disk(Cut& opening)
+  std::vector<int> lifted(const Coarse_mesh& coarse, const std::vector<int>& features) const
   {
-    const Handle_loops handles = cut_handles(m_mesh, m_constraints);
-    if(!handles.status)
-      return handles.status;
-    m_constraints.mandatory = handles.cut;
-    const Connected_cut connection = connect_points(m_terminals);
-    opening = connection.cut;
-    return connection.status;
+    const std::vector<char> is_reachable = reachable_vertices(m_fine.mesh, m_fine.constraints);
+    std::vector<int> result = m_fine.terminals;
+    for(int v : features)
+      if(is_reachable[coarse.vertices[v]])
+        result.push_back(coarse.vertices[v]);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
   }
 
-  Connected_cut connect_points(const std::vector<int>& points)
-  {
-    return connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, points, m_parameters.connection,
-                                            [this] { return m_control.go_further(); });
-  }
-
-  // Drops candidates that only forbidden edges lead to. Terminals are candidates of infinite scope on a
-  // sphere; on other surfaces, they are connected from the outset.
-  void keep_connectable(std::vector<Candidate>& candidates) const
-  {
-    std::vector<char> is_kept = reachable_vertices(m_mesh, m_constraints);
-    for(int v : m_terminals)
-      is_kept[v] = 0;
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                    [&](const Candidate& c) { return !is_kept[c.vertex]; }),
-                     candidates.end());
-    if(is_sphere())
-      for(int v : m_terminals)
-        candidates.push_back({v, std::numeric_limits<double>::infinity()});
-  }
-
-  std::vector<int> with_terminals(std::vector<int> features) const
-  {
-    features.insert(features.end(), m_terminals.begin(), m_terminals.end());
-    std::sort(features.begin(), features.end());
-    features.erase(std::unique(features.begin(), features.end()), features.end());
-    return features;
-  }
-
-  // A surface as even as a sphere may have a single maximizer, or none where the map failed; a cut
-  // needs two ends.
-  void add_far_vertices(int start, std::vector<Candidate>& candidates) const
-  {
-    if(candidates.size() >= 2)
-      return;
-    const Cut allowed = allowed_edges(m_mesh, m_constraints);
-    const std::vector<char> is_reachable = reachable_vertices(m_mesh, m_constraints);
-    if(!is_reachable[start])
-      start = int(std::find(is_reachable.begin(), is_reachable.end(), char(1)) - is_reachable.begin());
-    Shortest_paths paths(m_mesh.graph());
-    const int one_end = candidates.empty() ? farthest_vertex(m_mesh, paths, start, allowed)
-                                           : candidates.front().vertex;
-    const int other_end = farthest_vertex(m_mesh, paths, one_end, allowed);
-    const double infinity = std::numeric_limits<double>::infinity();
-    candidates = {{one_end, infinity}, {other_end, infinity}};
-  }
-
-  void connect(Component_result& result)
+  bool connect(Refiner& refiner, std::vector<int> features, Component_result& result)
   {
     const Phase_clock::Measurement measurement(m_clock, Phase::CONNECT);
     m_control.report(Phase::CONNECT, 0);
-    const Connected_cut connection = connect_points(result.features);
-    if(m_control.is_stopped() || !connection.status)
-    {
-      result.status = m_control.is_stopped() ? failure() : connection.status;
-      return;
-    }
-    result.cut = connection.cut;
-    result.length = cut_length(m_mesh, result.cut);
-    result.lower_bound = connection.lower_bound + cut_length(m_mesh, m_constraints.mandatory);
-    result.is_optimal = connection.is_optimal;
-    result.auxiliary = connection.number_of_auxiliary_points;
+    result.status = refiner.connect(std::move(features));
+    if(m_control.is_stopped())
+      result.status = failure(m_control);
+    if(!result.status)
+      return false;
+    take_cut(refiner, refiner.tree().cut, result);
     m_control.report(Phase::CONNECT, 1);
+    return true;
   }
 
-  void parameterize(Component_result& result)
+  void take_cut(const Refiner& refiner, const Cut& cut, Component_result& result) const
+  {
+    const Connected_cut& tree = refiner.tree();
+    result.has_cut = true;
+    result.features = refiner.features();
+    std::sort(result.features.begin(), result.features.end());
+    result.cut = cut;
+    result.length = cut_length(m_fine.mesh, cut);
+    result.lower_bound = tree.lower_bound + cut_length(m_fine.mesh, m_fine.constraints.mandatory);
+    result.is_optimal = tree.is_optimal && cut == tree.cut;
+    result.auxiliary = tree.number_of_auxiliary_points;
+  }
+
+  bool map(Refiner& refiner, Component_result& result)
   {
     const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
     m_control.report(Phase::PARAMETERIZE, 0);
-    result.chart = make_chart(m_mesh, result.cut);
-    Newton_options options;
-    options.stop = [this](const Newton_state&) { return !m_control.go_further(); };
-    const Newton_result newton = final_map(result.chart, result.uv, options);
+    if(refiner.map())
+      return true;
+    result.status = failure(m_control);
+    result.has_cut = false;
+    return false;
+  }
+
+  // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
+  void refine_and_parameterize(Refiner& refiner, Component_result& result)
+  {
+    const int solves = is_coarsened() ? m_parameters.number_of_corrective_solves
+                                      : m_parameters.number_of_shortening_solves;
+    refine_and_parameterize(refiner, m_parameters.maximum_distortion, solves, result);
+    if(has_bound() && m_parameters.do_bijective && result.energy > m_parameters.maximum_distortion)
+      tighten(refiner, result);
+    if(result.status && result.energy > m_parameters.maximum_distortion)
+      result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
+                                  "no cut was found whose map keeps the maximum distortion");
+  }
+
+  void refine_and_parameterize(Refiner& refiner, double bound, int number_of_solves, Component_result& result)
+  {
+    if(refines(m_fine))
+    {
+      const Phase_clock::Measurement measurement(m_clock, Phase::REFINE);
+      m_control.report(Phase::REFINE, 0);
+      refine(refiner, number_of_solves, bound);
+      m_control.report(Phase::REFINE, 1);
+    }
+    take_cut(refiner, refiner.chart().cut, result);
+    parameterize(refiner, result);
+  }
+
+  // Looks for the shortest cut whose bijective map keeps the bound: bisection over what is asked of
+  // the running map, between what failed and what did not.
+  void tighten(const Refiner& start, Component_result& best)
+  {
+    constexpr int maximum_number_of_rounds = 6, solves = 10;
+    const double bound = m_parameters.maximum_distortion, precision = 0.02 * (bound - ideal);
+    double failed = bound, kept = ideal, target = 2 * bound - best.energy;
+    for(int round = 0; round < maximum_number_of_rounds && failed - kept > precision && best.status; ++round)
+    {
+      Refiner refiner = start;
+      Component_result result = best;
+      refine_and_parameterize(refiner, target, solves, result);
+      result.add(refiner.trade_offs());
+      const bool is_kept = result.has_map && result.energy <= bound;
+      (is_kept ? kept : failed) = target;
+      // Nothing is known to keep the bound at first: down by what is still missing.
+      target = is_kept || best.energy <= bound ? (kept + failed) / 2 : (std::max)(target + bound - result.energy, ideal);
+      if(is_kept ? best.energy > bound || result.length < best.length
+                 : result.has_map && result.energy < best.energy && best.energy > bound)
+        best = std::move(result);
+      else
+        best.trade_offs = std::move(result.trade_offs);
+    }
+  }
+
+  // Lowers the energy to the bound if there is one, then shortens.
+  void refine(Refiner& refiner, int number_of_solves, double bound)
+  {
+    Refinement_limits limits;
+    limits.number_of_solves = number_of_solves;
+    if(has_bound())
+    {
+      refiner.lower_to(bound);
+      limits.energy = (std::max)(bound, refiner.chart().energy);
+    }
+    else
+    {
+      limits.energy = refiner.chart().energy + m_parameters.minimum_distortion_decrease;
+      limits.energy_per_length = m_parameters.decrease_per_length;
+    }
+    refiner.shorten(limits);
+  }
+
+  void parameterize(const Refiner& refiner, Component_result& result)
+  {
+    const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
+    result.chart = refiner.chart().chart;
+    result.uv = refiner.chart().uv;
+    const Newton_result newton = final_map(result.chart, result.uv);
     result.energy = newton.energy;
-    if(newton.outcome == Newton_outcome::FAILED || m_control.is_stopped())
-      result.status = failure();
+    result.has_map = newton.outcome != Newton_outcome::FAILED;
+    if(!result.has_map || m_control.is_stopped())
+      result.status = failure(m_control);
     m_control.report(Phase::PARAMETERIZE, 1);
   }
 
-  Newton_result final_map(const Chart& chart, std::vector<Eigen::Vector2d>& uv,
-                          const Newton_options& options) const
+  Newton_result final_map(const Chart& chart, std::vector<Eigen::Vector2d>& uv) const
   {
-    const std::vector<Eigen::Vector3d> points = chart_points(m_mesh, chart);
-    if(m_parameters.do_bijective)
-      return Surface_mesh_parameterization::internal::bijective_map<LinearSolver>(chart, points, m_shapes,
-                                                                                  uv, options);
-    return Chart_parameterizer<LinearSolver>(chart, points, m_shapes).isometric_map(uv, options);
+    Newton_options options;
+    options.stop = [this](const Newton_state&) { return !m_control.go_further(); };
+    const std::vector<Eigen::Vector3d> points = chart_points(m_fine.mesh, chart);
+    Chart_parameterizer<LinearSolver> parameterizer(chart, points, m_fine.shapes);
+    const Newton_result result = parameterizer.improve_isometrically(uv, options);
+    if(!m_parameters.do_bijective)
+      return result;
+    return Surface_mesh_parameterization::internal::make_bijective<LinearSolver>(chart, points, m_fine.shapes, uv,
+                                                                                 result, options);
   }
 
-  const Flat_mesh& m_mesh;
-  const Topology m_topology;
+  const bool m_is_sphere;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;
   Phase_clock& m_clock;
-  const std::vector<Rest_shape> m_shapes;
-  Edge_constraints m_constraints;
-  const std::vector<int> m_terminals;
+  Resolution m_fine;
+  const Initial_cut m_initial;
 };
 
 } // namespace internal

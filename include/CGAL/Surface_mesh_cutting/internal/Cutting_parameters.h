@@ -18,6 +18,8 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
+#include <limits>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
@@ -28,6 +30,9 @@ struct Cutting_parameters
 {
   double minimum_distortion_decrease = 0.01; // epsilon_iso, of the area-averaged energy
   double minimum_length_decrease = 0.01;     // epsilon_len, times the bounding box diagonal
+  double decrease_per_length = 0.15;         // of the energy, for a slit to be worth its length in
+                                             // bounding box diagonals
+  double maximum_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
   double minimum_area_ratio = 0.1;           // alpha
   double influence_threshold = 20;           // beta
   double forbidden_radius = 10;              // d_n
@@ -38,6 +43,9 @@ struct Cutting_parameters
   // Whether the final map of a component has to be injective, too.
   bool do_bijective = false;
   int number_of_starts = 1;
+  int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
+  int number_of_shortening_solves = 0; // at most, where features are found
+  int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
   // How the feature points are connected; its decrease is epsilon_len as a length.
   CGAL::internal::Steiner_tree::Options connection;
   unsigned int random_seed = 0;

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Trade_off.h>
 #include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/initial_features.h>
 
@@ -66,6 +67,8 @@ public:
 
   const std::vector<int>& features() const { return m_features; }
   const Running_map<LinearSolver>& map() const { return m_map; }
+  // The cuts that were accepted, each containing the one before.
+  const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
 private:
   bool run_from(const Cut& cut, const std::vector<int>& queue)
@@ -73,6 +76,7 @@ private:
     m_is_on_cut = open_vertices(m_mesh, cut);
     if(!m_map.initialize(cut))
       return false;
+    m_trade_offs.push_back({cut_length(m_mesh, cut), m_map.energy()});
     judge_queue(std::deque<int>(queue.begin(), queue.end()));
     if(!m_parameters.is_faithful)
       judge_most_distorted();
@@ -121,17 +125,31 @@ private:
   {
     // A candidate on the cut cannot be judged; it stays, so that what it gains is not lost when the
     // features are connected in another way.
-    const double threshold = m_is_terminal[v] ? -std::numeric_limits<double>::infinity()
-                                              : m_parameters.minimum_distortion_decrease;
+    const double threshold = m_is_terminal[v] ? -std::numeric_limits<double>::infinity() : least_gain(path);
     if(path.empty() || m_map.open_if_useful(path, threshold))
     {
       m_features.push_back(v);
       for(int e : path)
         mark_on_cut(e);
+      m_trade_offs.push_back({m_trade_offs.back().cut_length + length(path), m_map.energy()});
     }
   }
 
   double weight(int arc) const { return m_constraints.weights[m_mesh.graph().arcs[arc].edge]; }
+
+  // A slit has to lower the energy by epsilon_iso (paper, Section 3.1.2), a long one by more.
+  double least_gain(const std::vector<int>& slit) const
+  {
+    return (std::max)(m_parameters.minimum_distortion_decrease, m_parameters.decrease_per_length * length(slit));
+  }
+
+  double length(const std::vector<int>& slit) const
+  {
+    double sum = 0;
+    for(int e : slit)
+      sum += m_mesh.length(e);
+    return sum;
+  }
 
   // The shortest path from `v` to the cut over the edges of the given faces (none given: all).
   bool find_path(int v, const std::vector<char>& is_open, std::vector<int>& path)
@@ -251,6 +269,7 @@ private:
   Running_map<LinearSolver> m_map;
   std::vector<char> m_is_on_cut, m_is_terminal; // per vertex
   std::vector<int> m_features;
+  std::vector<Trade_off> m_trade_offs;
 };
 
 } // namespace internal

@@ -39,6 +39,7 @@ namespace internal {
 struct Mesh_result
 {
   Flat_status status;
+  bool has_result = false; // cut or map, as was asked for
   int components = 0, genus = 0, borders = 0;
   int candidates = 0, auxiliary = 0;
   std::vector<int> features;
@@ -50,6 +51,7 @@ struct Mesh_result
   double average_energy = 0, maximum_energy = 0;
   int flips = 0;
   std::optional<int> overlaps; // if the map has to be injective
+  std::vector<Trade_off> trade_offs;
 };
 
 enum class Goal { FEATURES, CUT, MAP };
@@ -82,6 +84,9 @@ public:
       if(!add_part(components[i], std::move(parts[i]), goal, result))
         return result;
     complete(result);
+    if(components.size() > 1)
+      result.trade_offs.clear();
+    result.has_result = true;
     if(goal == Goal::MAP)
     {
       if(components.size() > 1)
@@ -138,7 +143,7 @@ private:
       if(i > first_failure)
         return;
       parts[i] = cut_component(components[i], goal);
-      for(int first = first_failure; !parts[i].status && i < first;)
+      for(int first = first_failure; !has_result(parts[i], goal) && i < first;)
         if(first_failure.compare_exchange_weak(first, i))
           return;
     });
@@ -155,11 +160,18 @@ private:
     if(!part.status)
       return part;
     Cutting_parameters parameters = m_request.parameters;
-    parameters.connection.minimum_length_decrease
-      = parameters.minimum_length_decrease * bounding_box_diagonal(component.mesh);
-    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component, constraints, terminals, parameters, m_control,
-                                                          m_clock);
+    const double diagonal = bounding_box_diagonal(component.mesh);
+    parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
+    parameters.decrease_per_length /= diagonal;
+    const Initial_cut initial(component.restriction(m_constraints.initial));
+    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component, constraints, terminals, initial, parameters,
+                                                          m_control, m_clock);
     return goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
+  }
+
+  static bool has_result(const Component_result& part, Goal goal)
+  {
+    return goal == Goal::MAP ? part.has_map : goal == Goal::CUT ? part.has_cut : bool(part.status);
   }
 
   // Adds what was found for a component; false if it failed.
@@ -167,10 +179,9 @@ private:
   {
     result.candidates += part.candidates;
     if(!part.status)
-    {
       result.status = component.in_whole(part.status);
+    if(!has_result(part, goal))
       return false;
-    }
     for(int v : part.features)
       result.features.push_back(component.vertices[v]);
     if(goal == Goal::FEATURES)
@@ -183,6 +194,7 @@ private:
     if(m_request.needs_optimal_tree && !part.is_optimal)
       result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
                                   "the cut is not proven to be the shortest one within the budget");
+    result.trade_offs = std::move(part.trade_offs);
     if(goal == Goal::MAP)
       add_map(component, std::move(part), result);
     return true;
@@ -264,10 +276,14 @@ private:
     result.flips = certificate.flips;
     if(do_bijective)
       result.overlaps = certificate.overlaps();
+    result.has_result = disks && certificate;
     if(!disks)
       result.status.finding = disks.finding;
     else if(!certificate)
       result.status.finding = certificate.status().finding;
+    else if(result.average_energy <= m_request.parameters.maximum_distortion && !m_request.needs_optimal_tree &&
+            result.status.finding.code == Status_code::BOUND_NOT_REACHED)
+      result.status.finding = Finding(); // a component alone misses the bound, the whole keeps it
   }
 
   const Flat_mesh& m_mesh;

@@ -20,6 +20,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,15 @@ namespace internal {
 using Surface_mesh_parameterization::internal::Newton_solver;
 using Surface_mesh_parameterization::internal::Newton_state;
 using Surface_mesh_parameterization::internal::area_weights;
+
+// A surface opened along a cut that leaves one disk, and its isometric map.
+struct Open_chart
+{
+  Cut cut;
+  Chart chart;
+  std::vector<Eigen::Vector2d> uv;
+  double energy = 0; // area-averaged, converged
+};
 
 // The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
 // stays flip-free and keeps its energy, so that every solve starts warm.
@@ -46,42 +57,66 @@ public:
   // stopped.
   bool initialize(const Cut& cut)
   {
-    m_cut = cut;
-    m_chart = make_chart(m_mesh, cut);
-    Chart_parameterizer<LinearSolver> parameterizer(m_chart, chart_points(m_mesh, m_chart), m_shapes);
-    const Newton_result result = parameterizer.isometric_map(m_uv, options());
-    m_energy = result.energy;
+    m_state.cut = cut;
+    m_state.chart = make_chart(m_mesh, cut);
+    Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
+    const Newton_result result = parameterizer.isometric_map(m_state.uv, options());
+    m_state.energy = result.energy;
     return result.outcome != Newton_outcome::FAILED && !m_control.is_stopped();
   }
 
-  const Cut& cut() const { return m_cut; }
-  const Chart& chart() const { return m_chart; }
-  const std::vector<Eigen::Vector2d>& uv() const { return m_uv; }
-  double energy() const { return m_energy; } // area-averaged, converged
+  const Cut& cut() const { return m_state.cut; }
+  const Chart& chart() const { return m_state.chart; }
+  const std::vector<Eigen::Vector2d>& uv() const { return m_state.uv; }
+  double energy() const { return m_state.energy; }
+
+  // What there is can be kept and put back.
+  const Open_chart& state() const { return m_state; }
+  void restore(Open_chart state) { m_state = std::move(state); }
 
   // Opens the slit if this lowers the energy by more than `threshold`, and converges; otherwise the
   // state is as before. `slit` holds edges.
   bool open_if_useful(const std::vector<int>& slit, double threshold)
   {
-    std::vector<int> halfedges;
-    for(int e : slit)
-      halfedges.push_back(m_mesh.halfedge(e));
-    const std::vector<Eigen::Vector2d> former_uv = m_uv;
-    const Chart::Opening opening = m_chart.open(halfedges);
-    m_uv.resize(m_chart.number_of_vertices());
-    for(const auto& [corner, former] : opening.corners)
-      m_uv[m_chart.source(corner)] = former_uv[former];
-
+    const Trial trial = begin(slit);
     if(is_useful(slit, threshold) && !m_control.is_stopped())
     {
       for(int e : slit)
-        m_cut[e] = 1;
+        m_state.cut[e] = 1;
       converge();
       return true;
     }
-    m_chart.close(opening);
-    m_uv = former_uv;
+    take_back(trial);
     return false;
+  }
+
+  // Opens the slit in any case.
+  void open(const std::vector<int>& slit)
+  {
+    open_if_useful(slit, -std::numeric_limits<double>::infinity());
+  }
+
+  // About what opening the slit would gain, mostly a little less: what the window of twice its length
+  // (less if that is large) gains with the rest held fixed. The state stays as it is.
+  double estimate_gain(const std::vector<int>& slit)
+  {
+    const Trial trial = begin(slit);
+    constexpr int number_of_radii = 3;
+    double radius = 2 * length(slit);
+    bool is_small = false;
+    for(int i = 0; i < number_of_radii && !is_small; ++i, radius /= 2)
+      is_small = collect_window(slit, radius);
+    double gain = 0;
+    if(is_small)
+      gain = solve_window(std::numeric_limits<double>::infinity(), 0);
+    else // the slit is long against the chart; a few steps on the whole of it tell as much
+    {
+      Newton_options o = options();
+      o.maximum_iterations = number_of_radii;
+      gain = m_state.energy - solve(o).energy;
+    }
+    take_back(trial);
+    return gain;
   }
 
   // The distortion of each surface vertex (paper, Equation (3)).
@@ -89,11 +124,60 @@ public:
   {
     using namespace Surface_mesh_parameterization::internal;
     return vertex_averages(m_shapes, m_mesh.triangles(),
-                           face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart.triangles(), m_uv),
+                           face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_state.chart.triangles(), m_state.uv),
                            m_mesh.number_of_vertices());
   }
 
+  // How far each surface vertex's copies lie from the first of them in the plane; 0 inside.
+  std::vector<double> gaps() const
+  {
+    std::vector<int> first(m_mesh.number_of_vertices(), -1);
+    std::vector<double> gaps(m_mesh.number_of_vertices(), 0);
+    for(int c = 0; c < m_state.chart.number_of_vertices(); ++c)
+    {
+      const int v = m_state.chart.origins()[c];
+      if(first[v] < 0)
+        first[v] = c;
+      else
+        gaps[v] = (std::max)(gaps[v], (m_state.uv[c] - m_state.uv[first[v]]).norm());
+    }
+    return gaps;
+  }
+
 private:
+  // A slit that was opened and may be closed again.
+  struct Trial
+  {
+    Chart::Opening opening;
+    std::vector<Eigen::Vector2d> former_uv;
+  };
+
+  Trial begin(const std::vector<int>& slit)
+  {
+    std::vector<int> halfedges;
+    for(int e : slit)
+      halfedges.push_back(m_mesh.halfedge(e));
+    Trial trial{m_state.chart.open(halfedges), m_state.uv};
+    m_state.uv.resize(m_state.chart.number_of_vertices());
+    for(const auto& [corner, former] : trial.opening.corners)
+      m_state.uv[m_state.chart.source(corner)] = trial.former_uv[former];
+    return trial;
+  }
+
+  void take_back(const Trial& trial)
+  {
+    m_state.chart.close(trial.opening);
+    m_state.uv = trial.former_uv;
+  }
+
+  double length(const std::vector<int>& slit) const
+  {
+    double sum = 0;
+    for(int e : slit)
+      sum += m_mesh.length(e);
+    return sum;
+  }
+
   // Far from the optimum, which a slit that changes much can leave the map, starting anew through
   // the hierarchy takes fewer solves than going on.
   void converge()
@@ -104,18 +188,18 @@ private:
     Newton_result result = solve(o);
     if(result.outcome == Newton_outcome::ITERATION_LIMIT)
     {
-      std::vector<Eigen::Vector2d> warm_uv = m_uv;
-      Chart_parameterizer<LinearSolver> parameterizer(m_chart, chart_points(m_mesh, m_chart), m_shapes);
-      const Newton_result cold = parameterizer.isometric_map(m_uv, options());
+      std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
+      Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
+      const Newton_result cold = parameterizer.isometric_map(m_state.uv, options());
       if(cold.energy < result.energy)
         result = cold;
       else
       {
-        m_uv.swap(warm_uv);
+        m_state.uv.swap(warm_uv);
         result = solve(options());
       }
     }
-    m_energy = result.energy;
+    m_state.energy = result.energy;
   }
 
   // The energy has to be known far better than epsilon_iso, not better.
@@ -135,12 +219,10 @@ private:
   {
     struct Window { double radius, largest_factor; };
     constexpr Window windows[] = {{1, 20}, {2, 5}, {4, 3}};
-    double length = 0, gain = 0;
-    for(int e : slit)
-      length += m_mesh.length(e);
+    double gain = 0;
     for(const Window& window : windows)
     {
-      if(!collect_window(slit, window.radius * length))
+      if(!collect_window(slit, window.radius * length(slit)))
         break;
       gain += solve_window(threshold, gain);
       if(gain > threshold || m_control.is_stopped())
@@ -156,7 +238,7 @@ private:
   bool is_globally_useful(double threshold)
   {
     constexpr double caution = 2;
-    const double target = m_energy - threshold;
+    const double target = m_state.energy - threshold;
     bool is_decided = false, is_useful = false;
     Newton_options o;
     o.stop = [&](const Newton_state& s)
@@ -171,8 +253,8 @@ private:
 
   Newton_result solve(const Newton_options& o)
   {
-    Newton_solver<LinearSolver> solver(m_chart.triangles(), m_chart.number_of_vertices());
-    return solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_uv, o);
+    Newton_solver<LinearSolver> solver(m_state.chart.triangles(), m_state.chart.number_of_vertices());
+    return solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
   }
 
   // Finds the triangles that touch the window: the vertices within `radius` of the slit are free, all
@@ -217,18 +299,18 @@ private:
     std::vector<double> weights;
     std::vector<int> vertices;
     std::vector<char> is_fixed;
-    m_local_vertex.resize(m_chart.number_of_vertices(), -1);
+    m_local_vertex.resize(m_state.chart.number_of_vertices(), -1);
     for(int f : m_window)
     {
       Triangle local;
       for(int k = 0; k < 3; ++k)
       {
-        const int v = m_chart.triangles()[f][k];
+        const int v = m_state.chart.triangles()[f][k];
         if(m_local_vertex[v] < 0)
         {
           m_local_vertex[v] = int(vertices.size());
           vertices.push_back(v);
-          is_fixed.push_back(!(m_reach.distance(m_chart.origins()[v]) <= m_radius));
+          is_fixed.push_back(!(m_reach.distance(m_state.chart.origins()[v]) <= m_radius));
         }
         local[k] = m_local_vertex[v];
       }
@@ -239,21 +321,23 @@ private:
     std::vector<Eigen::Vector2d> uv;
     for(int v : vertices)
     {
-      uv.push_back(m_uv[v]);
+      uv.push_back(m_state.uv[v]);
       m_local_vertex[v] = -1;
     }
 
     Newton_solver<LinearSolver> solver(std::move(triangles), int(vertices.size()), std::move(is_fixed));
     const double before = solver.template energy<Symmetric_Dirichlet_energy>(shapes, weights, uv);
+    // An estimate needs about a tenth of the gain.
     Newton_options o;
     o.stop = [&](const Newton_state& s)
     {
-      return gain_so_far + before - s.energy > threshold || s.decrement < 0.01 * threshold ||
+      const double tolerance = std::isfinite(threshold) ? 0.01 * threshold : 0.1 * (before - s.energy);
+      return gain_so_far + before - s.energy > threshold || s.decrement < tolerance ||
              !m_control.go_further();
     };
     const Newton_result result = solver.template minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
     for(std::size_t i = 0; i < vertices.size(); ++i)
-      m_uv[vertices[i]] = uv[i];
+      m_state.uv[vertices[i]] = uv[i];
     return before - result.energy;
   }
 
@@ -261,10 +345,7 @@ private:
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
   Run_control& m_control;
-  Cut m_cut;
-  Chart m_chart;
-  std::vector<Eigen::Vector2d> m_uv;
-  double m_energy = 0;
+  Open_chart m_state;
 
   // The window in work.
   Shortest_paths m_reach;

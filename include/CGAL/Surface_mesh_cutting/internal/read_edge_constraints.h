@@ -98,9 +98,10 @@ struct Cutting_constraints
 {
   Edge_constraints edges;
   std::vector<int> terminals; // vertices that the cut passes through
+  Cut initial;                // what the search starts from; no edge: nothing is known
 };
 
-// Reads `vertex_is_constrained_map` besides the parameters about edges.
+// Reads `vertex_is_constrained_map` and `initial_cut_map` besides the parameters about edges.
 template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
 Flat_status read_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
                              const NamedParameters& np, Cutting_constraints& constraints)
@@ -115,6 +116,9 @@ Flat_status read_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& a
   for(int v = 0; v < adapter.mesh().number_of_vertices(); ++v)
     if(get(is_terminal, adapter.to_vertex(v)))
       constraints.terminals.push_back(v);
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  constraints.initial = adapter.read_cut(choose_parameter(get_parameter(np, internal_np::initial_cut),
+                                                          Static_boolean_property_map<edge_descriptor, false>()));
   return read_edge_constraints(adapter, np, constraints.edges);
 }
 

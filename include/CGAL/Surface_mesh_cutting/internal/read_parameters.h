@@ -22,12 +22,14 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -59,6 +61,28 @@ struct Request
 };
 
 // The parameters of the method from named parameters.
+// The sizes and budgets were found by measuring; all count work, not seconds.
+inline void set_effort(Effort effort, Cutting_parameters& p)
+{
+  const bool has_bound = p.maximum_distortion < std::numeric_limits<double>::infinity();
+  switch(effort)
+  {
+  case Effort::FAST:
+    p.coarse_number_of_faces = 3000;
+    p.number_of_shortening_solves = has_bound ? 20 : 0;
+    break;
+  case Effort::DEFAULT:
+    p.coarse_number_of_faces = 5000;
+    p.number_of_shortening_solves = has_bound ? 60 : 8;
+    break;
+  case Effort::BEST:
+    p.number_of_starts = 4;
+    p.number_of_shortening_solves = has_bound ? 300 : 60;
+    break;
+  }
+  p.number_of_corrective_solves = has_bound ? 8 : 0;
+}
+
 template <typename NamedParameters>
 Request read_request(const NamedParameters& np)
 {
@@ -72,6 +96,7 @@ Request read_request(const NamedParameters& np)
   read(get_parameter(np, internal_np::minimum_distortion_decrease), p.minimum_distortion_decrease);
   read(get_parameter(np, internal_np::minimum_length_decrease), p.minimum_length_decrease);
   read(get_parameter(np, internal_np::minimum_area_ratio), p.minimum_area_ratio);
+  read(get_parameter(np, internal_np::maximum_distortion), p.maximum_distortion);
   read(get_parameter(np, internal_np::influence_threshold), p.influence_threshold);
   read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
   read(get_parameter(np, internal_np::faithful), p.is_faithful);
@@ -88,8 +113,12 @@ Request read_request(const NamedParameters& np)
   read(get_parameter(np, internal_np::connection), connection);
   p.connection.method = steiner_method(connection, p.is_faithful);
   request.needs_optimal_tree = connection == Connection::EXACT;
-  constexpr int number_of_starts_at_best = 4;
-  p.number_of_starts = request.effort == Effort::BEST && !p.is_faithful ? number_of_starts_at_best : 1;
+  if(!p.is_faithful)
+    set_effort(request.effort, p);
+  else
+    p.decrease_per_length = 0;
+  read(get_parameter(np, internal_np::minimum_decrease_per_length), p.decrease_per_length);
+  read(get_parameter(np, internal_np::coarse_number_of_faces), p.coarse_number_of_faces);
   return request;
 }
 
@@ -97,11 +126,18 @@ inline Flat_status check_parameters(const Cutting_parameters& p)
 {
   const auto refuse = [](const char* name, const char* range)
   { return Flat_status(Status_code::WRONG_PARAMETER, std::string(name) + " must be " + range); };
+  constexpr double ideal = Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy::ideal;
   const auto is_non_negative = [](double x) { return std::isfinite(x) && x >= 0; };
   if(!is_non_negative(p.minimum_distortion_decrease))
     return refuse("minimum_distortion_decrease", "finite and not negative");
   if(!is_non_negative(p.minimum_length_decrease))
     return refuse("minimum_length_decrease", "finite and not negative");
+  if(!(p.maximum_distortion > ideal))
+    return refuse("maximum_distortion", "greater than 4, the energy of an isometric map");
+  if(!is_non_negative(p.decrease_per_length))
+    return refuse("minimum_decrease_per_length", "finite and not negative");
+  if(p.coarse_number_of_faces < 0)
+    return refuse("coarse_number_of_faces", "not negative");
   if(!(p.minimum_area_ratio >= 0 && p.minimum_area_ratio <= 1))
     return refuse("minimum_area_ratio", "between 0 and 1");
   if(!is_non_negative(p.influence_threshold))

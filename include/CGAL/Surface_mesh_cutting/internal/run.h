@@ -52,6 +52,9 @@ void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<T
   result.E_max = found.maximum_energy;
   result.flips = found.flips;
   result.overlaps = found.overlaps;
+  result.has_result = found.has_result;
+  for(const Trade_off& t : found.trade_offs)
+    result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), t.E_iso});
 }
 
 // The common part of the calls that run the method: checks, runs, lets `write(adapter, found)` hand out
@@ -88,7 +91,7 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
     const Mesh_result found = cutter.run(goal);
     status.finding = found.status.finding;
     translate(found, adapter, result);
-    if(found.status.has_result())
+    if(found.has_result)
       write(adapter, found);
   }
   result.status = adapter.translate(status);

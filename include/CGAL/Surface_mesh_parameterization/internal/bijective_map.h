@@ -67,25 +67,35 @@ bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& poi
   return is_bijective(chart, uv);
 }
 
-// As isometric as possible among the injective maps of a connected chart, free border. The flip-free
-// map is the answer if its borders do not overlap. `points` holds the position of each chart vertex
-// on the surface, `shapes` the triangles laid flat. FAILED if no injective map was found.
+// As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
+// isometric map, with what its solve returned. That is the answer if its borders do not overlap.
+// FAILED if no injective map was found.
+template <typename LinearSolver>
+Newton_result make_bijective(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                             const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv,
+                             const Newton_result& isometric, const Newton_options& options)
+{
+  if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
+    return isometric;
+  Scaffold_options scaffold_options;
+  scaffold_options.stop = options.stop;
+  if(isometric.outcome == Newton_outcome::STOPPED ||
+     !bijective_start<LinearSolver>(chart, points, shapes, scaffold_options, uv))
+    return Newton_result();
+  const Newton_result result = Scaffold_minimization<LinearSolver>(chart, shapes, scaffold_options)(uv);
+  return is_bijective(chart, uv) ? result : Newton_result();
+}
+
+// The same without a map to start with. `points` holds the position of each chart vertex on the
+// surface, `shapes` the triangles laid flat.
 template <typename LinearSolver>
 Newton_result bijective_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
                             const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv,
                             const Newton_options& options)
 {
-  const Newton_result unconstrained
+  const Newton_result isometric
     = Chart_parameterizer<LinearSolver>(chart, points, shapes).isometric_map(uv, options);
-  if(unconstrained.outcome == Newton_outcome::FAILED ||
-     unconstrained.outcome == Newton_outcome::STOPPED || is_bijective(chart, uv))
-    return unconstrained;
-  Scaffold_options scaffold_options;
-  scaffold_options.stop = options.stop;
-  if(!bijective_start<LinearSolver>(chart, points, shapes, scaffold_options, uv))
-    return Newton_result();
-  const Newton_result result = Scaffold_minimization<LinearSolver>(chart, shapes, scaffold_options)(uv);
-  return is_bijective(chart, uv) ? result : Newton_result();
+  return make_bijective<LinearSolver>(chart, points, shapes, uv, isometric, options);
 }
 
 } // namespace internal

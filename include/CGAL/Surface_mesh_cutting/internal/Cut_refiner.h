@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_REFINER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_REFINER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/Leaf_branches.h>
+#include <CGAL/Surface_mesh_cutting/internal/Slit_search.h>
+#include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A cut through feature points and the map of the surface opened along it.
+struct Mapped_cut
+{
+  std::vector<int> features;
+  Connected_cut tree;
+  double length = 0;        // of the cut of the chart
+  Open_chart chart;
+};
+
+// What a refined cut has to keep to.
+struct Refinement_limits
+{
+  double energy = std::numeric_limits<double>::infinity(); // area-averaged, at most
+  // What a piece of the cut may cost at most, in energy per length, for its removal to pay.
+  double energy_per_length = std::numeric_limits<double>::infinity();
+  int number_of_solves = 0; // at most, for shortening
+};
+
+// Improves a connected cut under the measure of its own map: slits are opened until the distortion
+// is as low as asked for, and pieces that contribute little for their length are dropped. Every
+// state is a valid cut with a flip-free map.
+template <typename LinearSolver, typename ConcurrencyTag>
+class Cut_refiner
+{
+public:
+  // `constraints` and `terminals`, which stay on the cut, as in `Component_cutter`; `control` and the
+  // other references are kept.
+  Cut_refiner(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
+              const std::vector<int>& terminals, const CGAL::internal::Steiner_tree::Options& connection,
+              Run_control& control)
+    : m_mesh(mesh), m_shapes(shapes), m_constraints(constraints), m_terminals(terminals),
+      m_connection(connection), m_control(control), m_search(mesh, constraints), m_map(mesh, shapes, control)
+  {}
+
+  // Connects the features; the first of the calls.
+  Flat_status connect(std::vector<int> features)
+  {
+    m_features = std::move(features);
+    m_tree = make_tree();
+    m_length = cut_length(m_mesh, m_tree.cut);
+    return m_tree.status;
+  }
+
+  // Maps the surface opened along the connected cut; the second of the calls. False if no flip-free
+  // map was found or the run was stopped.
+  bool map()
+  {
+    if(!m_map.initialize(m_tree.cut))
+      return false;
+    record();
+    return true;
+  }
+
+  const std::vector<int>& features() const { return m_features; }
+  // The tree through the features. What is refined may differ from it.
+  const Connected_cut& tree() const { return m_tree; }
+  const Open_chart& chart() const { return m_map.state(); }
+  double length() const { return m_length; } // of the chart's cut
+  // All cuts that were mapped.
+  const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
+
+  // Opens slits until the energy is at most `bound`, each the one with the best gain per length. The
+  // tree through all points is shorter than the cut with the slits; it is taken if it keeps the
+  // bound, too. False if no slit helps any more.
+  bool lower_to(double bound)
+  {
+    constexpr int maximum_number_of_rounds = 3;
+    for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound); ++round)
+    {
+      Mapped_cut former = state();
+      if(!reconnect() || m_length >= former.length)
+      {
+        restore(std::move(former));
+        break;
+      }
+      if(m_map.energy() <= bound)
+        break;
+      // A few slits repair what the other tree lost; if that is longer in the end, the former one
+      // stays.
+      if(!open_slits_until(bound) || m_length >= former.length)
+      {
+        restore(std::move(former));
+        break;
+      }
+    }
+    return m_map.energy() <= bound;
+  }
+
+  // Drops or trims branches, those first that gape least for their length. Then exchanges: the slit
+  // with the best gain per length is opened, and what that makes superfluous is dropped. All as long
+  // as the limits allow and the budget of solves lasts.
+  void shorten(const Refinement_limits& limits)
+  {
+    constexpr int number_of_attempts = 4;
+    m_solves_left = limits.number_of_solves;
+    drop_branches(limits, m_solves_left);
+    std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
+    while(m_solves_left > 0 && m_control.go_further())
+    {
+      Mapped_cut former = state();
+      const Slit slit = m_search.best(m_map, is_excluded);
+      if(slit.tip < 0)
+        break;
+      is_excluded[slit.tip] = 1;
+      --m_solves_left;
+      open(slit);
+      drop_branches(limits, number_of_attempts, slit.tip);
+      if(!(m_length < former.length) || m_map.energy() > limits.energy)
+        restore(std::move(former));
+    }
+  }
+
+private:
+  // A feature point drawn back along its branch, or dropped.
+  struct Move
+  {
+    int tip = -1, new_tip = -1;
+    double length = 0, gap = 0; // of the piece of the cut that is closed again
+
+    // Opening relieves energy by about the square of the gap.
+    double cost_per_length() const { return gap * gap / length; }
+  };
+
+  Connected_cut make_tree()
+  {
+    return connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, m_connection,
+                                            [this] { return m_control.go_further(); });
+  }
+
+  void record() { m_trade_offs.push_back({m_length, m_map.energy()}); }
+
+  Mapped_cut state() const { return {m_features, m_tree, m_length, m_map.state()}; }
+
+  void restore(Mapped_cut state)
+  {
+    m_features = std::move(state.features);
+    m_tree = std::move(state.tree);
+    m_length = state.length;
+    m_map.restore(std::move(state.chart));
+  }
+
+  // False if that did not lower the energy.
+  bool open(const Slit& slit)
+  {
+    const double before = m_map.energy();
+    m_map.open(slit.edges);
+    if(!(m_map.energy() < before))
+      return false;
+    m_features.push_back(slit.tip);
+    m_length += slit.length;
+    record();
+    return true;
+  }
+
+  bool open_slits_until(double bound)
+  {
+    const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
+    while(m_map.energy() > bound && m_control.go_further())
+    {
+      const Slit slit = m_search.best(m_map, is_excluded);
+      if(slit.tip < 0)
+        return false;
+      if(!open(slit))
+        return false;
+    }
+    return !m_control.is_stopped();
+  }
+
+  // Takes the tree through the present features instead of the present cut. False if that failed.
+  bool reconnect()
+  {
+    m_tree = make_tree();
+    m_length = cut_length(m_mesh, m_tree.cut);
+    return m_tree.status && map();
+  }
+
+  // Until so many attempts have failed. The branch to `kept_tip`, if any, stays.
+  void drop_branches(const Refinement_limits& limits, int maximum_number_of_failures, int kept_tip = -1)
+  {
+    std::set<std::pair<int, int> > rejected; // former and new tip
+    while(m_solves_left > 0 && int(rejected.size()) < maximum_number_of_failures && m_control.go_further())
+    {
+      const Move move = best_move(rejected, kept_tip);
+      if(move.tip < 0)
+        break;
+      --m_solves_left;
+      if(!take(move, limits))
+        rejected.emplace(move.tip, move.new_tip);
+    }
+  }
+
+  Move best_move(const std::set<std::pair<int, int> >& rejected, int kept_tip) const
+  {
+    std::vector<char> is_end(m_mesh.number_of_vertices(), 0), is_kept = is_end;
+    for(int v : m_features)
+      is_end[v] = 1;
+    for(int v : m_terminals)
+      is_kept[v] = 1;
+    const std::vector<double> gaps = m_map.gaps();
+    Move best;
+    for(const Leaf_branch& branch : leaf_branches(m_mesh, m_map.cut(), is_end))
+    {
+      if(is_kept[branch.vertices.front()] || branch.vertices.front() == kept_tip)
+        continue;
+      for(std::size_t size = branch.edges.size(); size > 0; size /= 2)
+      {
+        const Move move = make_move(branch, size, gaps);
+        if(!rejected.count({move.tip, move.new_tip}) && leaves_a_disk(size))
+        {
+          if(best.tip < 0 || move.cost_per_length() < best.cost_per_length())
+            best = move;
+          break; // the shorter ones after this one
+        }
+      }
+    }
+    return best;
+  }
+
+  // Closes the outer `size` edges of a branch.
+  Move make_move(const Leaf_branch& branch, std::size_t size, const std::vector<double>& gaps) const
+  {
+    Move move;
+    move.tip = branch.vertices.front();
+    if(size < branch.edges.size())
+      move.new_tip = branch.vertices[size];
+    for(std::size_t i = 0; i < size; ++i)
+    {
+      move.length += m_mesh.length(branch.edges[i]);
+      move.gap = (std::max)(move.gap, gaps[branch.vertices[i]]);
+    }
+    return move;
+  }
+
+  // On a closed surface, two edges at least have to stay open.
+  bool leaves_a_disk(std::size_t number_of_closed_edges) const
+  {
+    const Cut& cut = m_map.cut();
+    std::size_t open = 0;
+    for(int e = 0; e < m_mesh.number_of_edges() && open < number_of_closed_edges + 2; ++e)
+      open += cut[e] || m_mesh.is_border_edge(e);
+    return open >= number_of_closed_edges + 2;
+  }
+
+  bool take(const Move& move, const Refinement_limits& limits)
+  {
+    Mapped_cut former = state();
+    m_features.erase(std::remove(m_features.begin(), m_features.end(), move.tip), m_features.end());
+    if(move.new_tip >= 0)
+      m_features.push_back(move.new_tip);
+    if(reconnect() && m_length < former.length && m_map.energy() <= limits.energy &&
+       m_map.energy() - former.chart.energy <= limits.energy_per_length * (former.length - m_length))
+      return true;
+    restore(std::move(former));
+    return false;
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Rest_shape>& m_shapes;
+  const Edge_constraints& m_constraints;
+  const std::vector<int>& m_terminals;
+  const CGAL::internal::Steiner_tree::Options& m_connection;
+  Run_control& m_control;
+  Slit_search<LinearSolver> m_search;
+  Running_map<LinearSolver> m_map;
+  std::vector<int> m_features;
+  Connected_cut m_tree;
+  double m_length = 0;
+  int m_solves_left = 0;
+  std::vector<Trade_off> m_trade_offs;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_REFINER_H

@@ -1,0 +1,221 @@
+// What goes beyond the paper's method: bounded distortion, shortening, given cuts, coarser versions,
+// trade-offs, and what a stopped run leaves. Results are proven by the certificate, energies are
+// measured anew from the UVs.
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
+#include <CGAL/Surface_mesh_cutting/cut_length.h>
+#include <CGAL/Surface_mesh_cutting/greedy_cut.h>
+#include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
+#include <CGAL/Surface_mesh_cutting/unwrap.h>
+#include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_cutting;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using CGAL::parameters::effort;
+using SMC::Status_code;
+using Mesh = test::Surface_mesh;
+using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
+
+int failures = 0;
+
+void check(bool condition, const char* what)
+{
+  if(condition)
+    return;
+  std::cerr << "failed: " << what << std::endl;
+  ++failures;
+}
+
+// A sphere with arms.
+Mesh star(int n)
+{
+  test::Soup soup = test::sphere(2 * n, n);
+  for(std::array<double, 3>& p : soup.points)
+  {
+    const double polar = CGAL_PI * (p[2] + 1) / (n + 2), around = std::atan2(p[1], p[0]);
+    const double radius = 1 + 1.5 * std::pow(std::sin(2 * polar) * std::cos(2 * around), 2) + 0.3 * std::cos(5 * polar);
+    p = {radius * std::sin(polar) * std::cos(around), radius * std::sin(polar) * std::sin(around),
+         1.5 * radius * std::cos(polar)};
+  }
+  return test::make_mesh<Mesh>(soup);
+}
+
+struct Maps
+{
+  Mesh::Property_map<Mesh::Edge_index, bool> is_cut;
+  Mesh::Property_map<Mesh::Halfedge_index, Point_2> uv;
+
+  Maps(Mesh& mesh, const char* name)
+    : is_cut(mesh.add_property_map<Mesh::Edge_index, bool>(std::string("e:") + name).first),
+      uv(mesh.add_property_map<Mesh::Halfedge_index, Point_2>(std::string("h:") + name).first)
+  {}
+};
+
+// The mean energy, from what was written.
+double measure(const Mesh& mesh, const Maps& maps)
+{
+  std::vector<double> energies(mesh.number_of_faces());
+  auto energy = boost::make_iterator_property_map(energies.begin(), get(boost::face_index, mesh));
+  SMP::compute_symmetric_Dirichlet_energy(mesh, maps.uv, energy);
+  double sum = 0, area = 0;
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const auto &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+               &c = mesh.point(mesh.target(mesh.next(h)));
+    const double face_area = std::sqrt(CGAL::squared_area(a, b, c));
+    sum += face_area * energies[f];
+    area += face_area;
+  }
+  return sum / area;
+}
+
+template <typename Result>
+void check_trade_offs(const Result& result)
+{
+  const std::vector<SMC::Trade_off>& t = result.trade_offs;
+  bool is_monotonic = true, holds_result = false;
+  for(std::size_t i = 0; i < t.size(); ++i)
+  {
+    is_monotonic = is_monotonic && (i == 0 || (t[i - 1].cut_length < t[i].cut_length && t[i - 1].E_iso > t[i].E_iso));
+    holds_result = holds_result || std::abs(t[i].cut_length - result.cut_length) < 1e-9 * result.cut_length;
+  }
+  check(!t.empty() && is_monotonic && holds_result, "trade-offs: from short to long, with the result");
+}
+
+void test_bounds()
+{
+  Mesh mesh = star(16);
+  Maps plain(mesh, "plain");
+  const auto unbounded = SMC::unwrap(mesh, plain.is_cut, plain.uv, effort(SMC::Effort::FAST));
+  check(bool(unbounded), "no bound");
+  check_trade_offs(unbounded);
+  double former_length = 0;
+  for(double bound : {4.3, 4.1, 4.04})
+  {
+    Maps maps(mesh, std::to_string(bound).c_str());
+    const auto np = CGAL::parameters::maximum_distortion(bound).effort(SMC::Effort::FAST);
+    const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, np);
+    check(bool(result) && bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "bounded");
+    std::cout << bound << ": length " << result.cut_length << ", energy " << result.E_iso << " " << result.status.message << std::endl;
+    check(measure(mesh, maps) <= bound + 1e-12, "the bound holds for what was written");
+    check(std::abs(measure(mesh, maps) - result.E_iso) < 1e-9, "the energy that is reported");
+    check(result.cut_length > former_length, "a lower bound takes a longer cut");
+    former_length = result.cut_length;
+    check_trade_offs(result);
+
+    Maps flat(mesh, ("flat" + std::to_string(bound)).c_str());
+    const auto bijective = SMC::unwrap(mesh, flat.is_cut, flat.uv, np.do_bijective(true));
+    std::cout << "bijective: length " << bijective.cut_length << ", energy " << bijective.E_iso << std::endl;
+    check(bijective.has_result && bijective.overlaps == 0 && bijective.flips == 0, "bounded and bijective");
+    check(bool(bijective) == (measure(mesh, flat) <= bound + 1e-12), "a missed bound is reported");
+    check(bool(bijective) || bound < 4.2, "a modest bound can be kept by a bijective map");
+  }
+}
+
+// Where nothing may be cut on one half of the surface, no cut flattens that; the run ends all the same,
+// with a valid result.
+void test_unreachable_bound()
+{
+  Mesh mesh = star(8);
+  Maps maps(mesh, "unreachable");
+  auto is_forbidden = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_forbidden", false).first;
+  for(Mesh::Edge_index e : mesh.edges())
+    is_forbidden[e] = mesh.point(mesh.vertex(e, 0)).z() > 0 && mesh.point(mesh.vertex(e, 1)).z() > 0;
+  const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
+                                  CGAL::parameters::maximum_distortion(4.001).edge_is_forbidden_map(is_forbidden));
+  check(result.status.code == Status_code::BOUND_NOT_REACHED && result.has_result, "a bound out of reach");
+  check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate beyond the bound");
+  for(double bound : {4., 0., -1., std::numeric_limits<double>::quiet_NaN()})
+    check(SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::maximum_distortion(bound)).status.code ==
+          Status_code::WRONG_PARAMETER, "no bound at all");
+}
+
+void test_shortening()
+{
+  Mesh mesh = star(16);
+  Maps fast(mesh, "fast"), slow(mesh, "default");
+  const auto first = SMC::unwrap(mesh, fast.is_cut, fast.uv, effort(SMC::Effort::FAST));
+  const auto second = SMC::unwrap(mesh, slow.is_cut, slow.uv);
+  check(bool(first) && bool(second) && second.cut_length <= first.cut_length * (1 + 1e-12), "shortening");
+  check(second.E_iso <= first.E_iso + 0.01 + 1e-6, "shortening costs epsilon_iso at most");
+}
+
+void test_coarser_version()
+{
+  Mesh mesh = star(40);
+  Maps coarse(mesh, "coarse"), fine(mesh, "fine");
+  const auto np = effort(SMC::Effort::FAST);
+  const auto first = SMC::unwrap(mesh, coarse.is_cut, coarse.uv, np.coarse_number_of_faces(800));
+  const auto second = SMC::unwrap(mesh, fine.is_cut, fine.uv, np.coarse_number_of_faces(0));
+  check(bool(first) && bool(second) && bool(SMC::certify_unwrap(mesh, coarse.is_cut, coarse.uv)), "coarser version");
+  check(first.candidates < second.candidates || first.features <= second.features, "fewer candidates");
+  check(std::abs(first.E_iso - second.E_iso) < 0.1, "about the same energy");
+}
+
+void test_given_cuts()
+{
+  Mesh mesh = star(10);
+  Maps given(mesh, "given"), found(mesh, "found");
+  check(bool(SMC::greedy_cut(mesh, given.is_cut)), "a cut to start from");
+  const double length = SMC::cut_length(mesh, given.is_cut);
+  const auto result = SMC::unwrap(mesh, found.is_cut, found.uv,
+                                  CGAL::parameters::initial_cut_map(given.is_cut).effort(SMC::Effort::FAST));
+  check(bool(result) && bool(SMC::certify_unwrap(mesh, found.is_cut, found.uv)), "from a given cut");
+  check(result.cut_length > 0.5 * length, "a given cut is extended, not replaced");
+
+  // Seams that separate the surface, and a single edge.
+  for(int e = 0; e < int(mesh.number_of_edges()); ++e)
+    given.is_cut[Mesh::Edge_index(e)] = e % 3 == 0;
+  check(bool(SMC::unwrap(mesh, found.is_cut, found.uv, CGAL::parameters::initial_cut_map(given.is_cut))),
+        "seams that separate");
+  for(Mesh::Edge_index e : mesh.edges())
+    given.is_cut[e] = e == Mesh::Edge_index(0);
+  check(bool(SMC::unwrap(mesh, found.is_cut, found.uv, CGAL::parameters::initial_cut_map(given.is_cut))), "one edge");
+}
+
+// Counts the questions, and stops at one of them.
+struct Stopping_visitor : public SMC::Default_visitor
+{
+  int questions = 0, last = std::numeric_limits<int>::max();
+  bool go_further() { return ++questions < last; }
+};
+
+void test_stopping()
+{
+  Mesh mesh = star(8);
+  Maps maps(mesh, "stopped");
+  const auto np = CGAL::parameters::maximum_distortion(4.05);
+  Stopping_visitor counter;
+  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(counter)))), "not stopped");
+  int with_result = 0, without_result = 0;
+  for(int i = 0; i <= 6; ++i)
+  {
+    Stopping_visitor visitor;
+    visitor.last = 2 + i * (counter.questions - 3) / 6;
+    const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(visitor)));
+    check(result.status.code == Status_code::STOPPED, "stopped");
+    check(!result.has_result || bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "what is left is valid");
+    ++(result.has_result ? with_result : without_result);
+  }
+  check(with_result > 0 && without_result > 0, "a late stop leaves a result, an early one does not");
+}
+
+int main()
+{
+  test_bounds();
+  test_unreachable_bound();
+  test_shortening();
+  test_coarser_version();
+  test_given_cuts();
+  test_stopping();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
