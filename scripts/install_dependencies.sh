@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs from Debian what is missing:
-#   scripts/install_dependencies.sh [build|test|doc|ci]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|corpus|doc|ci]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -13,9 +13,10 @@ for purpose in "$@"; do
     build) wanted+=(g++ cmake make libcgal-dev libeigen3-dev libboost-dev
                     libtbb-dev libsuitesparse-dev libcli11-dev nlohmann-json3-dev libpng-dev) ;;
     test)  wanted+=(libopenmesh-dev python3) ;;
+    corpus) wanted+=(parallel python3) ;;
     doc)   wanted+=(doxygen) ;;
     ci)    wanted+=(clang) ;;
-    *)     echo "usage: $0 [build|test|doc|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|corpus|doc|ci]..." >&2; exit 2 ;;
   esac
 done
 
