@@ -6,7 +6,8 @@ SPHERE = sphere(3)
 # Some edges around a vertex, and the loop around it.
 CENTER = 70
 STAR = [tuple(v for v in face if v != CENTER) for face in SPHERE[1] if CENTER in face]
-FILES = ("--must-cut", "--never-cut", "--terminals", "--edge-weights")
+SELECTIONS = ("--must-cut", "--never-cut", "--initial-cut", "--terminals")
+FILES = (*SELECTIONS, "--edge-weights")
 
 
 def selection(vertices=(), edges=()):
@@ -49,6 +50,33 @@ class Constraints(Case):
         self.assertLessEqual({CENTER, 100, 200}, set().union(*cut))
         self.assertGreaterEqual(report["features"], 3)
 
+    def test_initial_cut(self):
+        # The result of a run as the start of the next one: a tighter bound extends it, a looser one shortens it.
+        given, cut = self.cut("--max-distortion", "4.1")
+        start = self.write("start.txt", selection(edges=map(tuple, cut)))
+        lengths = []
+        for bound in (4.05, 4.1, 4.5):
+            report, _ = self.cut("--initial-cut", start, "--max-distortion", bound)
+            self.assertLessEqual(report["E_iso"], bound)
+            lengths.append(report["cut_length"])
+        self.assertGreater(lengths[0], given["cut_length"])
+        self.assertLess(lengths[1], 1.05 * given["cut_length"])
+        self.assertLess(lengths[2], given["cut_length"])
+        # Without a bound, what it is shortened by does not cost much.
+        for effort in ("fast", "default"):
+            report, _ = self.cut("--initial-cut", start, "--effort", effort)
+            self.assertLess(report["E_iso"], given["E_iso"] + 0.15)
+            self.assertLess(report["cut_length"], 1.05 * given["cut_length"])
+
+    def test_initial_cut_is_no_constraint(self):
+        # A loop that separates the surface is opened, and what must not be cut is not.
+        loop = self.write("loop.txt", selection(edges=STAR))
+        report, cut = self.cut("--initial-cut", loop)
+        self.assertFalse(set(map(frozenset, STAR)) <= cut)
+        self.assertEqual(report["components"], 1)
+        _, cut = self.cut("--initial-cut", loop, "--never-cut", loop)
+        self.assertFalse(set(map(frozenset, STAR)) & cut)
+
     def test_weights(self):
         self.assertIsNone(self.cut("--edge-weights", "crease")[0]["cut_lower_bound"])
         default, cut = self.cut()
@@ -89,7 +117,7 @@ class Constraints(Case):
                "fraction": "1.5\n\n1.5 2\n", "more": "\n\n\n1\n"}
         for name, text in bad.items():
             self.write(name, text)
-            for option in FILES[:3]:
+            for option in SELECTIONS:
                 with self.subTest(name=name, option=option):
                     report = self.assert_refused(3, "sphere.off", option, name)
                     self.assertIn(name, report["message"])
@@ -102,7 +130,7 @@ class Constraints(Case):
 
     def test_pairs_that_are_no_edges(self):
         name = self.write("pair.txt", selection(edges=[(0, 1)]))
-        for option, file in (("--must-cut", name), ("--never-cut", name),
+        for option, file in (("--must-cut", name), ("--never-cut", name), ("--initial-cut", name),
                              ("--edge-weights", self.write("weights", "0 1 1\n"))):
             report = self.assert_refused(4, "sphere.off", option, file)
             self.assertIn("0 and 1", report["message"])
@@ -111,7 +139,7 @@ class Constraints(Case):
 
     def test_nothing_selected(self):
         nothing = self.write("nothing.txt", "")
-        for option in FILES[:3]:
+        for option in SELECTIONS:
             report, _ = self.cut(option, nothing)
             self.assertEqual(len(report["warnings"]), 1)
 

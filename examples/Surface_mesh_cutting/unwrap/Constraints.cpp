@@ -70,9 +70,11 @@ Constraints read_constraints(const Options& options, Mesh& mesh)
   Constraints constraints;
   constraints.must_be_cut = mesh.add_property_map<Edge, bool>("e:must_be_cut", false).first;
   constraints.must_not_be_cut = mesh.add_property_map<Edge, bool>("e:must_not_be_cut", false).first;
+  constraints.is_initially_cut = mesh.add_property_map<Edge, bool>("e:is_initially_cut", false).first;
   constraints.is_terminal = mesh.add_property_map<Vertex, bool>("v:is_terminal", false).first;
   mark_edges("--must-cut", options.must_cut, mesh, constraints.must_be_cut, constraints.warnings);
   mark_edges("--never-cut", options.never_cut, mesh, constraints.must_not_be_cut, constraints.warnings);
+  mark_edges("--initial-cut", options.initial_cut, mesh, constraints.is_initially_cut, constraints.warnings);
   mark_vertices("--terminals", options.terminals, mesh, constraints.is_terminal, constraints.warnings);
   if(options.edge_weights.empty())
     return constraints;

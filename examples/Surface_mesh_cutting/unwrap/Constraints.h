@@ -12,7 +12,7 @@
 
 struct Constraints
 {
-  Mesh::Property_map<Edge, bool> must_be_cut, must_not_be_cut;
+  Mesh::Property_map<Edge, bool> must_be_cut, must_not_be_cut, is_initially_cut;
   Mesh::Property_map<Vertex, bool> is_terminal;
   std::optional<Mesh::Property_map<Edge, double> > weights; // without: the lengths
   std::vector<std::string> warnings;

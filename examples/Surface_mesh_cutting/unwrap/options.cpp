@@ -51,6 +51,7 @@ Examples:
   unwrap cow.off -o flat.obj --texture check.png   look at flat.obj in any viewer
   unwrap cow.off --svg flat.svg --json -           picture, and measures on the terminal
   unwrap cow.off --never-cut face.selection.txt --edge-weights visibility
+  unwrap cow.off --initial-cut seams.selection.txt --max-distortion 4.1
 )";
 
 // Whole decimal numbers, nothing else: CLI11 would take 010 for eight and NaN for in range.
@@ -138,6 +139,9 @@ void add_constraint_options(CLI::App& app, Options& options)
   app.add_option("--must-cut", options.must_cut, "Edges that are cut in any case; they may separate the mesh")
     ->type_name("SEL")->group(group);
   app.add_option("--never-cut", options.never_cut, "Edges that are not cut")->type_name("SEL")->group(group);
+  app.add_option("--initial-cut", options.initial_cut,
+                 "A cut to start from, such as seams drawn by hand; it is connected,\nextended and shortened, and its edges need not stay")
+    ->type_name("SEL")->group(group);
   app.add_option("--terminals", options.terminals, "Vertices that the cut passes through")
     ->type_name("SEL")->group(group);
   app.add_option("--edge-weights", options.edge_weights,

@@ -22,7 +22,7 @@ struct Options
   std::optional<double> eps_iso, eps_len, alpha, beta;
 
   // Files; an empty name stands for none. `edge_weights` may also be crease or visibility.
-  std::string must_cut, never_cut, terminals, edge_weights;
+  std::string must_cut, never_cut, initial_cut, terminals, edge_weights;
 
   std::uint32_t seed = 0;
   int threads = 1;

@@ -44,8 +44,8 @@ void write_standard_output(const std::string& text)
 void check_outputs(const Options& options)
 {
   std::vector<fs::path> places;
-  for(const std::string& file : {options.input, options.must_cut, options.never_cut, options.terminals,
-                                 options.edge_weights})
+  for(const std::string& file : {options.input, options.must_cut, options.never_cut, options.initial_cut,
+                                 options.terminals, options.edge_weights})
     if(!file.empty())
       places.push_back(Output_files::place_of(file));
   for(const std::string& file : {options.output, options.svg, options.texture, options.obj_cut,

@@ -209,6 +209,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .influence_threshold(options.beta.value_or(20))
       .edge_is_constrained_map(constraints.must_be_cut)
       .edge_is_forbidden_map(constraints.must_not_be_cut)
+      .initial_cut_map(constraints.is_initially_cut)
       .vertex_is_constrained_map(constraints.is_terminal)
       .sparse_linear_solver(solver);
   // With one thread, Parallel_tag is the sequential algorithm.

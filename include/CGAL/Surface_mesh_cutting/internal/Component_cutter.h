@@ -162,7 +162,7 @@ private:
 
   bool refines(const Resolution& resolution) const
   {
-    return has_bound() ||
+    return has_bound() || m_initial.is_given() ||
            (m_parameters.number_of_shortening_solves > 0 && !(is_coarsened() && &resolution == &m_fine));
   }
 
@@ -180,6 +180,8 @@ private:
     result.status = detected.status;
     result.candidates = detected.number_of_candidates;
     result.add(detected.trade_offs);
+    if(m_initial.is_given() && !detected.trade_offs.empty())
+      m_initial_energy = detected.trade_offs.front().E_iso;
     return std::move(detected.features);
   }
 
@@ -314,7 +316,8 @@ private:
     }
   }
 
-  // Lowers the energy to the bound if there is one, then shortens.
+  // Lowers the energy to the bound if there is one, then shortens. Without a bound, what the tree
+  // through the ends and forks of a given cut loses against that cut is gained back where it pays.
   void refine(Refiner& refiner, int number_of_solves, double bound)
   {
     Refinement_limits limits;
@@ -326,6 +329,9 @@ private:
     }
     else
     {
+      if(m_initial.is_given())
+        refiner.lower_to(m_initial_energy + m_parameters.minimum_distortion_decrease,
+                         m_parameters.decrease_per_length);
       limits.energy = refiner.chart().energy + m_parameters.minimum_distortion_decrease;
       limits.energy_per_length = m_parameters.decrease_per_length;
     }
@@ -364,6 +370,7 @@ private:
   Phase_clock& m_clock;
   Resolution m_fine;
   const Initial_cut m_initial;
+  double m_initial_energy = std::numeric_limits<double>::infinity(); // of the surface opened along it
 };
 
 } // namespace internal

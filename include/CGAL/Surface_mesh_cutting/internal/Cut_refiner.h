@@ -90,13 +90,13 @@ public:
   // All cuts that were mapped.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
-  // Opens slits until the energy is at most `bound`, each the one with the best gain per length. The
-  // tree through all points is shorter than the cut with the slits; it is taken if it keeps the
-  // bound, too. False if no slit helps any more.
-  bool lower_to(double bound)
+  // Opens slits until the energy is at most `bound`, each the one with the best gain per length, as
+  // long as that is more than `least_gain`. The tree through all points is shorter than the cut with
+  // the slits; it is taken if it keeps the bound, too. False if no slit helps any more.
+  bool lower_to(double bound, double least_gain = 0)
   {
     constexpr int maximum_number_of_rounds = 3;
-    for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound); ++round)
+    for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain); ++round)
     {
       Mapped_cut former = state();
       if(!reconnect() || m_length >= former.length)
@@ -108,7 +108,7 @@ public:
         break;
       // A few slits repair what the other tree lost; if that is longer in the end, the former one
       // stays.
-      if(!open_slits_until(bound) || m_length >= former.length)
+      if(!open_slits_until(bound, least_gain) || m_length >= former.length)
       {
         restore(std::move(former));
         break;
@@ -183,13 +183,13 @@ private:
     return true;
   }
 
-  bool open_slits_until(double bound)
+  bool open_slits_until(double bound, double least_gain)
   {
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     while(m_map.energy() > bound && m_control.go_further())
     {
       const Slit slit = m_search.best(m_map, is_excluded);
-      if(slit.tip < 0)
+      if(slit.tip < 0 || slit.gain_per_length() < least_gain)
         return false;
       if(!open(slit))
         return false;
