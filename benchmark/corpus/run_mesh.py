@@ -54,6 +54,9 @@ def run_limited(command, seconds, megabytes):
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             return *process.communicate(), process.returncode, True
+        except BaseException: # of a runner that is ended nothing is to stay behind
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
 
 
 def judge(program, mesh, result, seconds):
@@ -111,6 +114,7 @@ def main():
                         help="called with the mesh and the result; prints a JSON object")
     parser.add_argument("options", nargs="*", help="of unwrap, after --")
     arguments = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     line = (json.dumps(run_mesh(arguments, arguments.options)) + "\n").encode()
     if arguments.results:
         append(arguments.results, line)

@@ -1,57 +1,14 @@
 // unwrap: a mesh file in, the mesh with texture coordinates out.
 
 #include "interruption.h"
-#include "mesh_file.h"
 #include "options.h"
 #include "outputs.h"
-#include "run_unwrap.h"
-#include "soup_checks.h"
+#include "unwrap_file.h"
 
 #include <csignal>
-#include <exception>
 #include <iostream>
-#include <new>
 
 namespace {
-
-void unwrap_file(const Options& options, Outcome& outcome)
-{
-  check_outputs(options);
-  const Polygon_soup soup = read_mesh_file(options.input);
-  outcome.vertices = soup.number_of_points();
-  outcome.faces = soup.number_of_polygons();
-  check_soup(soup);
-  const Layout layout = run_unwrap(soup, options, outcome);
-  if(outcome.has_result)
-    write_outputs(options, layout, outcome);
-}
-
-// Whatever goes wrong becomes an outcome.
-Outcome run(const Options& options)
-{
-  Outcome outcome;
-  outcome.threads = options.threads;
-  outcome.seed = options.seed;
-  outcome.effort = options.effort;
-  outcome.solver = options.solver;
-  try
-  {
-    unwrap_file(options, outcome);
-  }
-  catch(const Failure& failure)
-  {
-    outcome.set_failure(failure.code, failure.what(), failure.witness);
-  }
-  catch(const std::bad_alloc&)
-  {
-    outcome.set_failure(Exit_code::FAILED, "out of memory");
-  }
-  catch(const std::exception& exception)
-  {
-    outcome.set_failure(Exit_code::FAILED, exception.what());
-  }
-  return outcome;
-}
 
 void report_failure(const Options& options, Outcome& outcome)
 {
@@ -98,7 +55,7 @@ int main(int argc, char** argv)
   if(command_line.is_done)
     outcome.set_failure(Exit_code::USAGE, command_line.message + " (see unwrap --help)");
   else
-    outcome = run(options);
+    outcome = unwrap_file(options);
   if(!outcome.has_result)
     report_failure(options, outcome);
   print_messages(options, outcome);

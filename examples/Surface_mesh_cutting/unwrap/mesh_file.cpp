@@ -31,6 +31,8 @@ Reader find_reader_by_content(std::string_view bytes)
   return word == "OFF" ? read_off : word == "ply" ? read_ply : word == "solid" ? read_stl : nullptr;
 }
 
+} // namespace
+
 void check_indices(const Polygon_soup& soup)
 {
   for(int polygon = 0; polygon < soup.number_of_polygons(); ++polygon)
@@ -42,8 +44,6 @@ void check_indices(const Polygon_soup& soup)
                         + std::to_string(soup.number_of_points()) + " (all counted from 0)",
                       {Witness::Kind::FACES, {polygon}});
 }
-
-} // namespace
 
 Polygon_soup read_mesh_file(const std::string& path)
 {

@@ -18,8 +18,10 @@
 // Throws a `Failure` with `Exit_code::UNREADABLE`.
 Polygon_soup read_mesh_file(const std::string& path);
 
-// Readers of one format, given the bytes of the file.
-// That indices are in range is checked by `read_mesh_file()`.
+// Fails in the same way unless all indices are in range.
+void check_indices(const Polygon_soup& soup);
+
+// Readers of one format, given the bytes of the file. Indices may be out of range.
 Polygon_soup read_off(std::string_view text);
 Polygon_soup read_obj(std::string_view text);
 Polygon_soup read_ply(std::string_view bytes);

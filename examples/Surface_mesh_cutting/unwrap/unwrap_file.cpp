@@ -1,0 +1,55 @@
+#include "unwrap_file.h"
+
+#include "mesh_file.h"
+#include "outputs.h"
+#include "run_unwrap.h"
+#include "soup_checks.h"
+
+#include <exception>
+#include <new>
+
+namespace {
+
+void unwrap_file(const Options& options, Outcome& outcome)
+{
+  check_outputs(options);
+  const Layout layout = unwrap_soup(read_mesh_file(options.input), options, outcome);
+  if(outcome.has_result)
+    write_outputs(options, layout, outcome);
+}
+
+} // namespace
+
+Layout unwrap_soup(const Polygon_soup& soup, const Options& options, Outcome& outcome)
+{
+  outcome.vertices = soup.number_of_points();
+  outcome.faces = soup.number_of_polygons();
+  check_soup(soup);
+  return run_unwrap(soup, options, outcome);
+}
+
+Outcome unwrap_file(const Options& options)
+{
+  Outcome outcome;
+  outcome.threads = options.threads;
+  outcome.seed = options.seed;
+  outcome.effort = options.effort;
+  outcome.solver = options.solver;
+  try
+  {
+    unwrap_file(options, outcome);
+  }
+  catch(const Failure& failure)
+  {
+    outcome.set_failure(failure.code, failure.what(), failure.witness);
+  }
+  catch(const std::bad_alloc&)
+  {
+    outcome.set_failure(Exit_code::FAILED, "out of memory");
+  }
+  catch(const std::exception& exception)
+  {
+    outcome.set_failure(Exit_code::FAILED, exception.what());
+  }
+  return outcome;
+}
