@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs from Debian what is missing:
-#   scripts/install_dependencies.sh [build|test|corpus|doc|ci]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|corpus|cluster|evaluation|doc|ci]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -14,9 +14,11 @@ for purpose in "$@"; do
                     libtbb-dev libsuitesparse-dev libcli11-dev nlohmann-json3-dev libpng-dev) ;;
     test)  wanted+=(libopenmesh-dev python3) ;;
     corpus) wanted+=(parallel python3) ;;
+    cluster) wanted+=(parallel python3 slurmctld slurmd slurm-client munge openssh-client openssh-server) ;;
+    evaluation) wanted+=(python3 gnuplot-nox) ;;
     doc)   wanted+=(doxygen) ;;
     ci)    wanted+=(clang) ;;
-    *)     echo "usage: $0 [build|test|corpus|doc|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|doc|ci]..." >&2; exit 2 ;;
   esac
 done
 
