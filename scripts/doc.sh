@@ -9,4 +9,5 @@ rm -rf "$root/build/doc"
 mkdir -p "$root/build/doc"
 cd "$root"
 doxygen doc/Doxyfile.standalone
+python3 doc/check_links.py build/doc/html
 echo "manual   $root/build/doc/html/index.html"

@@ -10,8 +10,11 @@ import sys
 from pathlib import Path
 
 LINE_LIMIT = 400
+EXAMPLE_LIMIT = 80
+FIGURE_LIMIT = 200_000  # bytes
 SIZE_LIMIT = 300_000  # bytes
 TEXT = {".h", ".cpp", ".txt", ".cmake", ".py", ".sh", ".in", ".md", ".json"}
+NOT_NAMED_AFTER_ENTITY = {"Visitor", "distortion_measures"}  # headers of several entities
 OVERLAY = "include/CGAL/STL_Extension/internal/parameters_interface.h"
 
 
@@ -168,6 +171,63 @@ def listed_examples(root):
         yield f"{listing.relative_to(root)}: lists {name}, which does not exist"
 
 
+def shown_examples(root):
+    """every example that the manual shows exists, is short, and each one is shown somewhere"""
+    shown = set()
+    for name in files(root, "doc"):
+        if name.suffix == ".txt":
+            shown |= set(re.findall(r"\\cgalExample\{(\S+?)\}", read(root / name)))
+    listed = set(re.findall(r"\\example (\S+)", read(root / "doc/Surface_mesh_cutting/examples.txt")))
+    for name in sorted(shown ^ listed):
+        yield f"{name}: {'listed' if name in listed else 'shown'} in the manual only"
+    for name in sorted(listed):
+        lines = read(root / "examples" / name).count("\n")
+        if lines > EXAMPLE_LIMIT:
+            yield f"{name}: {lines} lines"
+
+
+def figures(root):
+    """every figure of the manual exists, is small, is shown, and has a line in the script that makes it"""
+    folder = root / "doc/Surface_mesh_cutting/fig"
+    text = "".join(read(root / name) for name in files(root, "doc") if name.suffix == ".txt")
+    shown = set(re.findall(r"\\cgalFigureBegin\{\w+, *([^}]+)\}", text))
+    shown |= set(re.findall(r"\\cgalPkgPicture\{([^}]+)\}", text))
+    existing = {path.name for path in folder.iterdir()}
+    for name in sorted(shown ^ existing):
+        yield f"{name}: {'exists but is not shown' if name in existing else 'does not exist'}"
+    for name in sorted(existing):
+        if (folder / name).stat().st_size > FIGURE_LIMIT:
+            yield f"{name}: {(folder / name).stat().st_size} bytes"
+
+
+def documented_headers(root):
+    """every public header of the package is documented, and the overview lists what its name says"""
+    overview = read(root / "doc/Surface_mesh_cutting/PackageDescription.txt")
+    for folder in "Surface_mesh_cutting", "Surface_mesh_parameterization":
+        for path in sorted((root / "include/CGAL" / folder).glob("*.h")):
+            name = path.relative_to(root)
+            if "\\ingroup Pkg" not in read(path):
+                yield f"{name}: nothing is documented"
+            elif path.stem not in NOT_NAMED_AFTER_ENTITY and f"::{path.stem}" not in overview:
+                yield f"{name}: PackageDescription.txt does not list {path.stem}"
+
+
+def merge_note(root):
+    """MERGING.md lists the named parameters that the package adds, and the keys that its manual cites"""
+    note, overlay = read(root / "MERGING.md"), read(root / OVERLAY)
+    own = overlay.split("#if CGAL_VERSION_NR")[0]
+    for line in re.findall(r"^CGAL_add_named_parameter.*$", own, re.M):
+        if line not in note:
+            yield f"MERGING.md: no line '{line}'"
+    text = "".join(read(root / name) for name in (*files(root, "doc"), *files(root, "include"))
+                   if name.suffix in (".txt", ".h"))
+    for key in sorted(set(re.findall(r"\\cgalCite\{([^}]+)\}", text))):
+        if key not in note:
+            yield f"MERGING.md: no bibliography entry {key}"
+        if f"[{key}]" not in read(root / "doc/bibliography.txt"):
+            yield f"doc/bibliography.txt: no {key}"
+
+
 def file_lengths(root):
     """files are small; long_files.txt names the exceptions, each with its reason"""
     allowed = {}
@@ -227,6 +287,10 @@ CHECKS = [
     unique_names,
     listed_programs,
     listed_examples,
+    shown_examples,
+    figures,
+    merge_note,
+    documented_headers,
     file_lengths,
     absolute_paths,
     package_info,

@@ -37,7 +37,7 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
 
 std::string cut_to_obj(const Layout& layout)
 {
-  std::vector<int> vertices;
+  std::vector<int> vertices = layout.feature_points;
   for(const Layout::Edge& edge : layout.cut)
     vertices.insert(vertices.end(), edge.begin(), edge.end());
   std::sort(vertices.begin(), vertices.end());
@@ -50,5 +50,7 @@ std::string cut_to_obj(const Layout& layout)
     write_point(layout.points[std::size_t(vertex)], out);
   for(const Layout::Edge& edge : layout.cut)
     out << "l " << position(edge[0]) + 1 << " " << position(edge[1]) + 1 << "\n";
+  for(const int vertex : layout.feature_points)
+    out << "p " << position(vertex) + 1 << "\n";
   return out.text();
 }

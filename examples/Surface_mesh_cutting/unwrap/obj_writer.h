@@ -9,7 +9,7 @@
 // defines the material.
 std::string to_obj(const Layout& layout, const std::string& material_file);
 
-// The edges of the cut as lines.
+// The edges of the cut as lines, and the feature points.
 std::string cut_to_obj(const Layout& layout);
 
 #endif // UNWRAP_OBJ_WRITER_H

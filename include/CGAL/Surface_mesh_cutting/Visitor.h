@@ -32,6 +32,8 @@ enum class Phase
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// is called back during a run and does nothing; a visitor of your own may derive from it.
+/// \cgalModels{CuttingVisitor}
+///
 /// A visitor is passed by the named parameter `visitor`, by `std::ref` if it is not to be copied.
 /// With `Parallel_tag` its functions are still called by one thread at a time.
 struct Default_visitor

@@ -145,7 +145,7 @@ struct Connection_result
 ///
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{can end the run}
-///     \cgalParamType{a class with the functions of `Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
 ///   \cgalParamNEnd

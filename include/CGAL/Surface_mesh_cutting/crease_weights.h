@@ -40,7 +40,7 @@ namespace Surface_mesh_cutting {
 ///
 /// \param tmesh the surface
 /// \param edge_weight_map receives the weights; they suit the named parameter `edge_weight_map` of
-///        `connect_points()` and `cut_handles()`
+///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
 /// \param smallest_factor how little a sharp edge counts, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below

@@ -157,7 +157,7 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told about the progress and can end the run}
-///     \cgalParamType{a class with the functions of `Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
 ///   \cgalParamNEnd
@@ -168,7 +168,7 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_linear_solver}
 ///     \cgalParamDescription{the solver of the sparse symmetric positive definite systems}
-///     \cgalParamType{a model of `SparseLinearAlgebraTraits_d` with a function `factor()`, for a direct solver}
+///     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
 ///     \cgalParamDefault{a Cholesky factorization of \eigen}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}

@@ -48,7 +48,7 @@ namespace Surface_mesh_cutting {
 ///
 /// \param tmesh the surface
 /// \param edge_weight_map receives the weights; they suit the named parameter `edge_weight_map` of
-///        `connect_points()` and `cut_handles()`
+///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
 /// \param number_of_rays the number of rays per edge, at least one
 /// \param smallest_factor how little a hidden edge counts, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones

@@ -129,7 +129,8 @@ enum class Status
   CANCELLED                ///< the visitor asked to stop; the tree is the best found until then
 };
 
-/// the visitor that never stops. A visitor must have this member function
+/// the visitor that never stops
+/// \cgalModels{SteinerTreeVisitor}
 struct Default_visitor
 {
   /// returns `false` to cancel; called often
@@ -225,8 +226,8 @@ graphs of surfaces. At most `maximum_number_of_states` is a bound of its memory 
 
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that can cancel the computation}
-    \cgalParamType{a class with the members of `CGAL::Steiner_tree::Default_visitor`; pass it with `std::ref()` to
-                   have that object called, and not a copy}
+    \cgalParamType{a class model of `SteinerTreeVisitor`; pass it with `std::ref()` to have that object called, and
+                   not a copy}
     \cgalParamDefault{`CGAL::Steiner_tree::Default_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd

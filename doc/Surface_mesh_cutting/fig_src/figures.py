@@ -1,0 +1,133 @@
+"""Makes the figures of the user manual; run by scripts/figures.sh.
+
+usage: figures.py PROGRAMS MESHES WORK_FOLDER OUTPUT_FOLDER [FIGURE...]
+"""
+
+import subprocess
+import sys
+from pathlib import Path
+
+from mesh_files import Surface, read_off, write_selection
+from scene import BLUE, GREEN, RED, Cell, draw_layout, draw_surface, render
+
+CAMEL = (0.45, 0, 1), (-0.1, 1, 0.045)
+COW = (1, 0, -0.45), (0.1, 1, 0.25)
+DINO = (-0.3, 1, 0), (0.1, 0, 1)
+ELEPHANT = (-0.5, 0, -0.87), (0, 1, 0)
+HOMER = (1, 0, 0.35), (0, 1, -0.1)
+HOMER_BACK = (-1, 0, -0.35), (0, 1, 0.1)
+LION = (1, 0, -0.4), (0, 1, -0.1)
+
+
+class Figures:
+    def __init__(self, programs, meshes, work, output):
+        self.programs, self.meshes, self.work, self.output = map(Path, (programs, meshes, work, output))
+
+    def run(self, program, *arguments):
+        subprocess.run([self.programs / program, *map(str, arguments)], check=True)
+
+    def mesh(self, name):
+        return self.meshes / f"{name}.off"
+
+    def unwrap(self, name, *options):
+        """a surface, unwrapped with these options of the program"""
+        out, cut = self.work / "out.obj", self.work / "cut.obj"
+        self.run("unwrap", self.mesh(name), "-o", out, "--obj-cut", cut, "--quiet", *options)
+        return Surface(out, cut)
+
+    def introduction(self):
+        surface = self.unwrap("camel")
+        return 1200, 430, [
+            *draw_surface(surface, Cell(0, 0, 380, 430), CAMEL),
+            *draw_layout(surface, Cell(390, 0, 420, 430)),
+            *draw_surface(surface, Cell(820, 0, 380, 430), CAMEL, checker=True)]
+
+    def overview(self):
+        """the small picture of the overview of all packages"""
+        return 220, 220, draw_surface(self.unwrap("camel"), Cell(0, 0, 220, 220), CAMEL, line=1.1, dot=2.6)
+
+    def method(self):
+        self.run("candidates", self.mesh("cow"), self.work / "cow")
+        surface = self.unwrap("cow")
+        objects = []
+        for i, name in enumerate(("first", "second")):
+            found = Surface(self.work / "out.obj", self.work / f"cow.{name}.obj")
+            objects += draw_surface(found, Cell(600 * i, 350, 600, 350), COW, points=False,
+                                    marks=[(BLUE, found.features)])
+        objects += draw_surface(surface, Cell(0, 0, 600, 350), COW, cut=False, points=False,
+                                marks=[(BLUE, surface.features)])
+        objects += draw_surface(surface, Cell(600, 0, 600, 350), COW)
+        return 1200, 700, objects
+
+    def distortion_bound(self):
+        objects = []
+        for i, bound in enumerate(("4.4", "4.15", "4.05")):
+            surface = self.unwrap("cow", "--max-distortion", bound)
+            objects += draw_surface(surface, Cell(360 * i, 260, 360, 225), COW, line=1.4, dot=3.2)
+            objects += draw_layout(surface, Cell(360 * i, 0, 360, 260))
+        return 1080, 485, objects
+
+    def connection(self):
+        objects = []
+        for i, method in enumerate(("mst", "greedy", "best")):
+            surface = self.unwrap("dino", "--effort", "fast", "--connect", method)
+            objects += draw_surface(surface, Cell(400 * i, 0, 400, 420), DINO)
+        return 1200, 420, objects
+
+    def constraints(self):
+        points, faces = read_off(self.mesh("homer"))
+        low, high = (f(p[1] for p in points) for f in (min, max))
+        height = lambda v: (points[v][1] - low) / (high - low)
+        edges = {(min(a, b), max(a, b)) for f in faces for a, b in zip(f, f[1:] + f[:1])}
+        is_above = lambda f: sum(map(height, f)) > 3 * 0.46
+        sides = {}
+        for f in faces:
+            for a, b in zip(f, f[1:] + f[:1]):
+                sides.setdefault((min(a, b), max(a, b)), set()).add(is_above(f))
+        belt, face = self.work / "belt.selection.txt", self.work / "face.selection.txt"
+        write_selection(belt, sorted(e for e in edges if len(sides[e]) == 2))
+        write_selection(face, sorted(e for e in edges if all(height(v) > 0.55 and points[v][2] > 0 for v in e)))
+        objects = []
+        for i, options in enumerate(([], ["--never-cut", face, "--edge-weights", "visibility"],
+                                     ["--must-cut", belt])):
+            surface = self.unwrap("homer", *options)
+            objects += draw_surface(surface, Cell(400 * i, 0, 200, 420), HOMER)
+            objects += draw_surface(surface, Cell(400 * i + 200, 0, 200, 420), HOMER_BACK)
+        return 1200, 420, objects
+
+    def topology(self):
+        self.run("handle_loops", self.mesh("elephant"), self.work / "loops.obj")
+        elephant, objects = self.unwrap("elephant"), []
+        loops = Surface(self.work / "out.obj", self.work / "loops.obj").cut
+        objects += draw_surface(elephant, Cell(0, 0, 300, 400), ELEPHANT, lines=[(GREEN, loops)])
+        objects += draw_layout(elephant, Cell(310, 0, 290, 400))
+        lion = self.unwrap("lion")
+        objects += draw_surface(lion, Cell(620, 0, 280, 400), LION)
+        objects += draw_layout(lion, Cell(910, 0, 290, 400))
+        return 1200, 400, objects
+
+    def bijective(self):
+        objects = []
+        for i, options in enumerate(([], ["--bijective"])):
+            objects += draw_layout(self.unwrap("homer", "--effort", "fast", *options), Cell(390 * i, 0, 370, 370))
+        return 760, 370, objects
+
+    def make(self, name):
+        render(self.output / f"{name}.png", *getattr(self, name)())
+        print("made", self.output / f"{name}.png")
+
+
+ALL = ["introduction", "overview", "method", "distortion_bound", "connection", "constraints", "topology",
+       "bijective"]
+
+
+def main():
+    if len(sys.argv) < 5:
+        sys.exit(__doc__)
+    figures = Figures(*sys.argv[1:5])
+    for name in sys.argv[5:] or ALL:
+        figures.make(name)
+
+
+if __name__ == "__main__":
+    main()
