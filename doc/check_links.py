@@ -22,8 +22,8 @@ class Page(HTMLParser):
         for name, value in attributes:
             if name in ("id", "name"):
                 self.anchors.add(value)
-            elif name in ("href", "src") and value:
-                self.links.append(value)
+            elif name in ("href", "src"):
+                self.links.append(value or "")
 
 
 def main():
@@ -34,6 +34,10 @@ def main():
     broken = 0
     for path, page in pages.items():
         for link in page.links:
+            if not link:
+                print(f"{path.relative_to(folder)}: empty link")
+                broken += 1
+                continue
             if "://" in link or link.startswith(("javascript:", "mailto:", "data:")):
                 continue
             file, anchor = urldefrag(link)

@@ -94,6 +94,10 @@ class Outputs(Case):
         vertex = {point: v for v, point in enumerate(points)}
         cut = {frozenset(vertex[cut_points[int(i) - 1]] for i in line.split()[1:])
                for line in cut_text.splitlines() if line.startswith("l ")}
+        features = {vertex[cut_points[int(line.split()[1]) - 1]]
+                    for line in cut_text.splitlines() if line.startswith("p ")}
+        self.assertEqual(len(features), report["features"])
+        self.assertLessEqual(features, set().union(*cut))
 
         sides = {}
         for face in faces:

@@ -47,11 +47,22 @@ Exit status:
 With 2 to 5, nothing but the JSON report is written.
 
 Examples:
-  unwrap cow.off                                   writes cow.uv.obj
-  unwrap cow.off -o flat.obj --texture check.png   look at flat.obj in any viewer
-  unwrap cow.off --svg flat.svg --json -           picture, and measures on the terminal
+  unwrap cow.off
+      writes cow.uv.obj
+  Output
+  unwrap cow.off -o flat.obj --texture check.png
+      look at flat.obj in any viewer: where the squares are square, nothing is distorted
+  unwrap cow.off --svg flat.svg --json -
+      a picture, and measures on the terminal
+  Method
+  unwrap cow.off --max-distortion 4.1 --bijective
+      the shortest cut found with which distortion is hardly visible and nothing overlaps
+  Constraints
   unwrap cow.off --never-cut face.selection.txt --edge-weights visibility
-  unwrap cow.off --initial-cut seams.selection.txt --max-distortion 4.1
+      no cut across the face, elsewhere where it is hardly seen
+  Computation
+  unwrap cow.off --effort best --time-limit 60
+      at most a minute, then the best result so far
 )";
 
 // Whole decimal numbers, nothing else: CLI11 would take 010 for eight and NaN for in range.
@@ -94,7 +105,7 @@ void add_output_options(CLI::App& app, Options& options)
   app.add_option("--texture", options.texture,
                  "Checkerboard image, which OUT.obj then shows\n(adds OUT.mtl beside it)")
     ->type_name("FILE.png")->group(group);
-  app.add_option("--obj-cut", options.obj_cut, "The cut as lines, in the OBJ format")
+  app.add_option("--obj-cut", options.obj_cut, "The cut as lines, its feature points as points,\nin the OBJ format")
     ->type_name("FILE")->group(group);
   app.add_flag("--quiet", options.is_quiet, "No progress, no summary; errors and warnings remain")
     ->group(group);
@@ -104,7 +115,8 @@ void add_method_options(CLI::App& app, Options& options)
 {
   const std::string group = "Method";
   constexpr double largest = 1e9, ideal = 4;
-  app.add_option("--effort", options.effort, "Work put into a short cut; fast does not shorten it,\nbest tries several starts and many variants")
+  app.add_option("--effort", options.effort,
+                 "Work put into a short cut; fast does not shorten it,\nbest tries several starts and many variants")
     ->check(CLI::IsMember({"fast", "default", "best"}))->default_str(options.effort)->group(group);
   app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
   app.add_option("--connect", options.connect,
