@@ -28,9 +28,10 @@ namespace Surface_mesh_cutting {
 /// distortion: local maximizers of the distortion of a conformal map, filtered greedily by what each
 /// of them gains \cgalCite{cgal:zycf-gccp-20} (Section 3.1).
 ///
-/// The cost is dominated by solving sparse linear systems of the size of the surface: a few dozen for
-/// the candidates and one or two for each candidate that small windows do not decide. Memory is
-/// linear in the size of the surface, plus linear in it for each feature point while these are connected.
+/// The cost is dominated by solving sparse linear systems: a few dozen for the candidates and one or two
+/// for each candidate that small windows do not decide. With \f$ n \f$ vertices, a system takes
+/// \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes. The feature points of large
+/// surfaces are found on a coarser version, see `coarse_number_of_faces`; then \f$ n \f$ is bounded.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
