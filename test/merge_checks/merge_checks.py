@@ -212,6 +212,18 @@ def documented_headers(root):
                 yield f"{name}: PackageDescription.txt does not list {path.stem}"
 
 
+def same_parameters(root):
+    """the functions that run the whole method document a named parameter with the same words"""
+    first = {}
+    for function in "greedy_cut", "unwrap", "detect_feature_points":
+        name = f"include/CGAL/Surface_mesh_cutting/{function}.h"
+        text = " ".join(re.sub(r"^/// *", "", line) for line in read(root / name).splitlines())
+        for parameter, words in re.findall(r"\\cgalParamNBegin\{(\w+)\}(.*?)\\cgalParamNEnd", text):
+            other = first.setdefault(parameter, (name, words.split()))
+            if words.split() != other[1]:
+                yield f"{name}: {parameter} is not documented as in {other[0]}"
+
+
 def merge_note(root):
     """MERGING.md lists the named parameters that the package adds, and the keys that its manual cites"""
     note, overlay = read(root / "MERGING.md"), read(root / OVERLAY)
@@ -289,6 +301,7 @@ CHECKS = [
     listed_examples,
     shown_examples,
     figures,
+    same_parameters,
     merge_note,
     documented_headers,
     file_lengths,
