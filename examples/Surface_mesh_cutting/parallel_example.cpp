@@ -23,7 +23,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // Components, candidates and trees are treated by all threads of oneTBB.
+  // The components are treated at the same time by the threads of oneTBB.
   auto is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
   const auto parallel = SMC::greedy_cut<CGAL::Parallel_if_available_tag>(mesh, is_cut);
   auto is_cut_by_one_thread = mesh.add_property_map<edge_descriptor, bool>("e:is_cut_by_one_thread", false).first;
