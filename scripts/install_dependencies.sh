@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs from Debian what is missing:
-#   scripts/install_dependencies.sh [build|test|corpus|cluster|evaluation|doc|figures|ci]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -16,10 +16,11 @@ for purpose in "$@"; do
     corpus) wanted+=(parallel python3) ;;
     cluster) wanted+=(parallel python3 slurmctld slurmd slurm-client munge openssh-client openssh-server) ;;
     evaluation) wanted+=(python3 gnuplot-nox) ;;
+    sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
     doc)   wanted+=(doxygen python3) ;;
     figures) wanted+=(povray python3) ;;
     ci)    wanted+=(clang) ;;
-    *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|doc|figures|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;
   esac
 done
 

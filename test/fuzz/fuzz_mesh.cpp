@@ -1,0 +1,71 @@
+// The bytes of a mesh file through the whole program. The first byte chooses the format, the second one the options.
+
+#include "check_layout.h"
+#include "mesh_file.h"
+#include "obj_writer.h"
+#include "svg_writer.h"
+#include "unwrap_file.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+constexpr int largest = 400; // faces: larger ones only take longer
+
+Options options_of(unsigned bits)
+{
+  Options options;
+  options.is_quiet = true;
+  options.solver = "eigen";
+  options.effort = (bits & 1) != 0 ? "fast" : "default";
+  options.is_faithful = (bits & 6) == 6;
+  options.is_bijective = (bits & 8) != 0;
+  if((bits & 16) != 0)
+    options.maximum_distortion = 4.05;
+  return options;
+}
+
+Polygon_soup read(std::string_view bytes, unsigned format)
+{
+  const Polygon_soup soup = format == 0 ? read_off(bytes) : format == 1 ? read_obj(bytes)
+                          : format == 2 ? read_ply(bytes) : read_stl(bytes);
+  check_indices(soup);
+  return soup;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  if(size < 2)
+    return 0;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
+  try
+  {
+    const Polygon_soup soup = read(bytes, data[0] % 4);
+    if(soup.number_of_polygons() > largest)
+      return 0;
+    const Options options = options_of(data[1]);
+    Outcome outcome;
+    const Layout layout = unwrap_soup(soup, options, outcome);
+    if(!outcome.has_result)
+      return 0;
+    const std::string fault = find_fault(layout, soup, options.is_bijective);
+    if(!fault.empty())
+    {
+      std::fprintf(stderr, "%s\n", fault.c_str());
+      std::abort();
+    }
+    to_obj(layout, "");
+    to_svg(layout, outcome);
+  }
+  catch(const Failure&)
+  {
+    // refused with a reason
+  }
+  return 0;
+}
