@@ -127,7 +127,7 @@ void test_hierarchy(const Test_surface& surface)
 {
   std::vector<Eigen::Vector2d> uv;
   const bool is_mapped
-    = hierarchical_map<Energy, Simplicial_solver>(surface.chart, surface.points, uv);
+    = hierarchical_map<Energy, Simplicial_solver>(surface.chart, surface.points, uv) == Stages_outcome::MAPPED;
   assert(is_mapped && count_flips(surface.chart.triangles(), uv) == 0);
 
   Chart_hierarchy hierarchy(surface.chart, surface.points);

@@ -49,7 +49,7 @@ public:
   // floating point where long parts hang on a short border. The result has the surface's area.
   Newton_result conformal_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
-    if(!start<MIPS_energy>(uv))
+    if(!start<MIPS_energy>(uv, options))
       return Newton_result();
     return improve_conformally(uv, options);
   }
@@ -66,7 +66,7 @@ public:
   // starts.
   Newton_result isometric_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
-    if(!start<Symmetric_Dirichlet_energy>(uv))
+    if(!start<Symmetric_Dirichlet_energy>(uv, options))
       return Newton_result();
     return improve_isometrically(uv, options);
   }
@@ -82,10 +82,11 @@ public:
 
 private:
   template <typename Energy>
-  bool start(std::vector<Eigen::Vector2d>& uv) const
+  bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options) const
   {
-    return hierarchical_map<Energy, LinearSolver>(m_chart, m_points, uv) ||
-           tutte_map(m_chart, m_points, surface_area(m_shapes), uv);
+    const Stages_outcome outcome = hierarchical_map<Energy, LinearSolver>(m_chart, m_points, uv, options.stop);
+    return outcome == Stages_outcome::MAPPED ||
+           (outcome == Stages_outcome::FAILED && tutte_map(m_chart, m_points, surface_area(m_shapes), uv));
   }
 
   const Chart& m_chart;

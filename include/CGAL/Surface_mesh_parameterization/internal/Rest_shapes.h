@@ -45,6 +45,9 @@ inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   return Rest_shape{gradient(b, c), gradient(c, a), gradient(a, b), 0.5 * twice_area};
 }
 
+// Of a triangle over its longest edge; an angle of about 1e-5 degrees.
+constexpr double minimal_height = 1e-7;
+
 // From the corners of a surface triangle. One edge is laid along the x axis; needles, points and
 // caps get a minimal height relative to their longest edge (and to `minimal_edge`), so that every
 // triangle can be mapped without a flip and without an infinite energy.
@@ -60,7 +63,6 @@ inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const double base = (std::max)(length, minimal_edge);
   const double x = length > 0 ? f.dot(e) / length : 0.5 * base;
   const double y = length > 0 ? e.cross(f).norm() / length : 0;
-  constexpr double minimal_height = 1e-7; // relative; an angle of about 1e-5 degrees
   Eigen::Vector2d q[3];
   q[k] = Eigen::Vector2d(0, 0);
   q[(k + 1) % 3] = Eigen::Vector2d(base, 0);

@@ -39,7 +39,7 @@ inline bool is_bijective(const Chart& chart, const std::vector<Eigen::Vector2d>&
 
 // An injective map near the optimum: Tutte's embedding of the coarsest stage of the hierarchy is
 // injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
-// Should that fail, Tutte's embedding of the whole chart is optimized. False if rounding spoils both.
+// Should that fail, Tutte's embedding of the whole chart is optimized. False if rounding spoils both, or if stopped.
 template <typename LinearSolver>
 bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
                      const std::vector<Rest_shape>& shapes, const Scaffold_options& options,
@@ -52,13 +52,14 @@ bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& poi
     Scaffold_options stage_options = options;
     stage_options.decrease = 1e-2;
     stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_coarse_stage;
-    Scaffold_minimization<LinearSolver>(stage.chart, stage.shapes, stage_options)(stage_uv);
+    return Scaffold_minimization<LinearSolver>(stage.chart, stage.shapes, stage_options)(stage_uv).outcome;
   };
   constexpr bool keeps_region = true;
-  uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
-  Chart_hierarchy hierarchy(chart, points, keeps_region);
-  if(map_by_stages<Symmetric_Dirichlet_energy>(hierarchy, optimize, uv) && is_bijective(chart, uv))
-    return true;
+  const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map); };
+  const Stages_outcome outcome
+    = map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, optimize, is_valid, uv);
+  if(outcome != Stages_outcome::FAILED)
+    return outcome == Stages_outcome::MAPPED;
   if(!tutte_map(chart, points, surface_area(shapes), uv))
     return false;
   Scaffold_options tutte_options = options;
