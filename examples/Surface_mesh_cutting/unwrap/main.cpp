@@ -29,7 +29,7 @@ void print_messages(const Options& options, const Outcome& outcome)
   if(outcome.exit_code == Exit_code::DONE)
   {
     if(!options.is_quiet)
-      std::cerr << options.input << ": " << outcome.message << "\n"
+      std::cerr << options.input << ": " << outcome.message << ", " << outcome.seconds.total.value_or(0) << " s\n"
                 << "written to " << options.output << "\n";
     return;
   }

@@ -139,7 +139,7 @@ std::string summary(const Outcome& outcome)
   text.precision(4);
   text << *outcome.faces << " triangles, cut of " << *outcome.cut_length
        << " bounding box diagonals through " << *outcome.features << " points, mean energy "
-       << *outcome.average_energy << " (4: no distortion), " << *outcome.seconds.total << " s";
+       << *outcome.average_energy << " (4: no distortion)";
   return text.str();
 }
 

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <utility>
@@ -74,11 +75,18 @@ public:
     normalize(points, triangles);
     m_mesh = Flat_mesh(std::move(points), std::move(triangles), std::move(opposites));
     m_status = check_mesh(m_mesh);
+    constexpr int extreme = 332; // 1e100
+    if(m_status && std::abs(m_exponent) > extreme)
+      m_status.warnings.push_back(Finding{Status_code::OK, "extreme coordinates, which are rescaled internally",
+                                          Element_kind::NONE, {}});
   }
 
   // Why the mesh is refused, or the warnings about it.
   const Flat_status& status() const { return m_status; }
   const Flat_mesh& mesh() const { return m_mesh; }
+
+  // The caller's mesh is larger by 2 to this power.
+  int exponent() const { return m_exponent; }
 
   // A length of the flat mesh at the scale of the caller's mesh.
   double to_original_scale(double length) const { return std::ldexp(length, m_exponent); }

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
 
@@ -62,9 +63,10 @@ template <typename LinearSolver, typename ConcurrencyTag>
 class Mesh_cutter
 {
 public:
-  Mesh_cutter(const Flat_mesh& mesh, const Cutting_constraints& constraints, const Request& request,
+  // The UVs will be handed out multiplied by 2^exponent.
+  Mesh_cutter(const Flat_mesh& mesh, int exponent, const Cutting_constraints& constraints, const Request& request,
               Run_control& control, Phase_clock& clock)
-    : m_mesh(mesh), m_constraints(constraints), m_request(request), m_control(control), m_clock(clock)
+    : m_mesh(mesh), m_exponent(exponent), m_constraints(constraints), m_request(request), m_control(control), m_clock(clock)
   {}
 
   Mesh_result run(Goal goal)
@@ -264,8 +266,8 @@ private:
     using namespace Surface_mesh_parameterization::internal;
     const std::vector<Rest_shape> shapes = rest_shapes(m_mesh.triangles(), m_mesh.points());
     const double scale = best_scale(shapes, result.chart.triangles(), result.uv);
-    for(Eigen::Vector2d& u : result.uv)
-      u *= scale;
+    for(Eigen::Vector2d& u : result.uv) // what overflows or underflows in the end has to do so before the check
+      u = scaled(scaled(Eigen::Vector2d(scale * u), m_exponent), -m_exponent);
     const std::vector<double> energies
       = face_energies<Symmetric_Dirichlet_energy>(shapes, result.chart.triangles(), result.uv);
     result.average_energy = area_average(shapes, energies);
@@ -287,6 +289,7 @@ private:
   }
 
   const Flat_mesh& m_mesh;
+  const int m_exponent;
   const Cutting_constraints& m_constraints;
   const Request& m_request;
   Run_control& m_control;

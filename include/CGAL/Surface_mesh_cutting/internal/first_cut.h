@@ -37,14 +37,16 @@ inline double average_edge_length(const Flat_mesh& mesh)
   return sum / double(mesh.number_of_edges());
 }
 
+// Of the surface: isolated vertices do not count.
 inline double bounding_box_diagonal(const Flat_mesh& mesh)
 {
-  Point low = mesh.points().front(), high = low;
-  for(const Point& p : mesh.points())
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  Point low = mesh.point(mesh.source(0)), high = low;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(!mesh.is_isolated(v))
+    {
+      low = low.cwiseMin(mesh.point(v));
+      high = high.cwiseMax(mesh.point(v));
+    }
   return (high - low).norm();
 }
 

@@ -16,11 +16,9 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
-
-#include <Eigen/Geometry>
+#include <CGAL/Surface_mesh_cutting/internal/mesh_warnings.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -92,41 +90,6 @@ inline std::vector<int> faces_given_twice(const Flat_mesh& mesh)
   return faces;
 }
 
-// The faces so thin that their shape is replaced: the height is below 1e-7 of the longest edge.
-inline std::vector<int> degenerate_faces(const Flat_mesh& mesh)
-{
-  std::vector<int> faces;
-  for(int f = 0; f < mesh.number_of_faces(); ++f)
-  {
-    double longest = 0;
-    for(int h = 3 * f; h < 3 * f + 3; ++h)
-      longest = (std::max)(longest, mesh.length(mesh.edge(h)));
-    if(2 * mesh.face_area(f) <= 1e-7 * longest * longest)
-      faces.push_back(f);
-  }
-  return faces;
-}
-
-// The border vertices at the very point of another one: often the surface was meant to be closed.
-inline std::vector<int> coincident_border_vertices(const Flat_mesh& mesh)
-{
-  std::vector<std::pair<std::array<double, 3>, int> > places;
-  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.is_border(h))
-    {
-      const Point& p = mesh.point(mesh.source(h));
-      places.emplace_back(std::array<double, 3>{{p.x(), p.y(), p.z()}}, mesh.source(h));
-    }
-  std::sort(places.begin(), places.end());
-  std::vector<int> vertices;
-  for(std::size_t i = 0; i < places.size(); ++i)
-    if((i > 0 && places[i].first == places[i - 1].first) ||
-       (i + 1 < places.size() && places[i].first == places[i + 1].first))
-      vertices.push_back(places[i].second);
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
-}
-
 // What a mesh whose halfedges fit together may still be refused for, and what is worth a warning.
 inline Flat_status check_mesh(const Flat_mesh& mesh)
 {
@@ -140,24 +103,7 @@ inline Flat_status check_mesh(const Flat_mesh& mesh)
                        Element_kind::FACE, std::move(found));
 
   Flat_status status;
-  const auto warn = [&status](const char* message, Element_kind kind, std::vector<int> indices)
-  {
-    if(!indices.empty())
-      status.warnings.push_back(Finding{Status_code::OK, message, kind, std::move(indices)});
-  };
-  std::vector<int> isolated, points;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    if(mesh.is_isolated(v))
-      isolated.push_back(v);
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    if(mesh.length(e) == 0)
-      points.push_back(e);
-  warn("isolated vertices, which are ignored", Element_kind::VERTEX, std::move(isolated));
-  warn("edges of length zero", Element_kind::EDGE, std::move(points));
-  warn("faces of (nearly) no area, which are treated as slightly thicker", Element_kind::FACE,
-       degenerate_faces(mesh));
-  warn("border vertices at the same point: does the surface need to be stitched?",
-       Element_kind::VERTEX, coincident_border_vertices(mesh));
+  status.warnings = mesh_warnings(mesh);
   return status;
 }
 

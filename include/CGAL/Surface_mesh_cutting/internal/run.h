@@ -86,8 +86,8 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
     status.finding = read_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), constraints, request,
-                                                                          control, clock);
+    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), adapter.exponent(),
+                                                                          constraints, request, control, clock);
     const Mesh_result found = cutter.run(goal);
     status.finding = found.status.finding;
     translate(found, adapter, result);

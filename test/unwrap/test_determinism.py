@@ -1,0 +1,34 @@
+"""The same bytes for every number of threads, and every time."""
+
+import json
+import os
+from pathlib import Path
+
+from support import Case, joined, main, sphere, to_off, torus
+
+MESHES = Path(os.environ.get("CGAL_DATA_DIR", "")) / "meshes"
+FILES = [MESHES / f"{name}.off" for name in ("blob", "eight", "dragknob")]
+OPTIONS = [["--effort", "fast"], ["--effort", "default"], ["--bijective"], ["--faithful"]]
+CHANGING = ("seconds", "cpu_seconds", "threads", "peak_memory_mb")
+
+
+class Determinism(Case):
+    def outputs(self, mesh, options, threads):
+        run = self.unwrap(mesh, "-o", "out.obj", "--json", "out.json", "--threads", threads, *options)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = json.loads((self.folder / "out.json").read_text())
+        for key in CHANGING:
+            del report[key]
+        return (self.folder / "out.obj").read_bytes(), report
+
+    def test_same_every_time(self):
+        self.write("components.off", to_off(joined(joined(sphere(3), torus()), sphere(2))))
+        for mesh in ["components.off", *filter(Path.exists, FILES)]:
+            for options in OPTIONS:
+                with self.subTest(mesh=str(mesh), options=options):
+                    first = self.outputs(mesh, options, 1)
+                    for threads in (1, 2, 2):
+                        self.assertEqual(self.outputs(mesh, options, threads), first)
+
+
+main()

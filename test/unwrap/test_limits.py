@@ -1,0 +1,126 @@
+"""Unusual meshes are unwrapped, with a warning that says what is unusual about them."""
+
+import json
+import math
+from fractions import Fraction
+
+from support import Case, joined, main, read_obj, sphere, to_off
+
+SPHERE = sphere(2)
+
+
+def with_point(mesh, vertex, point):
+    points = list(mesh[0])
+    points[vertex] = tuple(point)
+    return points, mesh[1]
+
+
+def between(p, q, share=0.5):
+    return tuple(s + share * (t - s) for s, t in zip(p, q))
+
+
+def split(mesh, share):
+    """The first face is split at a point next to its first corner, on an edge up to `share` of its length."""
+    points, (first, *faces) = mesh
+    a, b, c = first
+    new = between(between(points[a], points[b], share), points[c], share)
+    v = len(points)
+    return [*points, new], faces + [(a, b, v), (b, c, v), (c, a, v)]
+
+
+def scaled(mesh, factor):
+    return [tuple(factor * x for x in p) for p in mesh[0]], mesh[1]
+
+
+def bipyramid(n):
+    ring = [(math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n), 0) for i in range(n)]
+    fans = [((i, (i + 1) % n, n), ((i + 1) % n, i, n + 1)) for i in range(n)]
+    return ring + [(0, 0, 1), (0, 0, -1)], [face for fan in fans for face in fan]
+
+
+def reversed_faces(mesh):
+    return mesh[0], [(a, c, b) for a, b, c in mesh[1]]
+
+
+def squashed(mesh, factor):
+    return [(x, y, factor * z) for x, y, z in mesh[0]], mesh[1]
+
+
+A, B, C = SPHERE[1][0]
+UNUSUAL = {
+    "isolated vertices": ([*SPHERE[0], (1e300, 0, 0)], SPHERE[1]),
+    "edges of length zero": with_point(SPHERE, A, SPHERE[0][B]),
+    "faces of (nearly) no area": with_point(SPHERE, A, between(SPHERE[0][B], SPHERE[0][C])),
+    "angle below 0.01 degrees": split(SPHERE, 1e-5),
+    "shorter than 1e-5": split(SPHERE, 1e-6),
+    "at the same point": joined(SPHERE, ([(x - 10, y, z) for x, y, z in SPHERE[0]], SPHERE[1])),
+    "1000 neighbors": bipyramid(1000),
+    "inside out": reversed_faces(SPHERE),
+    "extreme coordinates": scaled(SPHERE, 1e200),
+}
+OPTIONS = (["--effort", "fast"], [], ["--bijective"], ["--faithful"])
+
+
+class Limits(Case):
+    def assert_unwrapped(self, mesh, *options):
+        """Exact and independent of the program: every triangle is counterclockwise."""
+        self.write("a.off", to_off(mesh))
+        exit_code, report = self.report("a.off", "-o", "out.obj", *options)
+        self.assertEqual((exit_code, report["flips"]), (0, 0), report["message"])
+        _, uvs, faces = read_obj(self.folder / "out.obj")
+        exact = [tuple(map(Fraction, uv)) for uv in uvs]
+        for face in faces:
+            a, b, c = (exact[corner[1]] for corner in face)
+            self.assertGreater((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0)
+        return report
+
+    def test_usual(self):
+        self.assertEqual(self.assert_unwrapped(SPHERE)["warnings"], [])
+
+    def test_unusual(self):
+        for warning, mesh in UNUSUAL.items():
+            for options in OPTIONS:
+                with self.subTest(warning=warning, options=options):
+                    report = self.assert_unwrapped(mesh, *options)
+                    self.assertIn(warning, "\n".join(report["warnings"]))
+
+    def test_many_neighbors(self):
+        """Tutte's embedding collapses in floating point here."""
+        for n in (30, 100, 300):
+            for options in OPTIONS:
+                with self.subTest(n=n, options=options):
+                    self.assert_unwrapped(bipyramid(n), *options)
+
+    def test_scale_does_not_matter(self):
+        expected = self.assert_unwrapped(SPHERE)
+        for exponent in (-1000, -664, 664, 1000):
+            with self.subTest(exponent=exponent):
+                report = self.assert_unwrapped(scaled(SPHERE, 2.0 ** exponent))
+                for key in ("E_iso", "E_max", "cut_length", "features"):
+                    self.assertEqual(report[key], expected[key])
+
+    def test_isolated_vertices_do_not_matter(self):
+        isolated = self.assert_unwrapped(UNUSUAL["isolated vertices"])
+        self.assertEqual(isolated["cut_length"], self.assert_unwrapped(SPHERE)["cut_length"])
+
+    def test_squashed(self):
+        for factor in (1e-3, 1e-6, 1e-12, 1e-30, 0):
+            for options in OPTIONS:
+                with self.subTest(factor=factor, options=options):
+                    self.assert_unwrapped(squashed(SPHERE, factor), *options)
+
+    def test_beyond_representable(self):
+        """A map that cannot be represented at the scale of the surface is not written."""
+        for factor in (1e-309, 1e-315, 1e-322, 5e307):
+            with self.subTest(factor=factor):
+                self.write("a.off", to_off(scaled(SPHERE, factor)))
+                run = self.unwrap("a.off", "-o", "out.obj", "--json", "-", "--quiet")
+                self.assertIn(run.returncode, (0, 4, 5))
+                self.assertEqual("out.obj" in self.files(), run.returncode == 0)
+                if run.returncode == 0:
+                    self.assertEqual(json.loads(run.stdout)["flips"], 0)
+                    self.assert_unwrapped(scaled(SPHERE, factor))
+                    (self.folder / "out.obj").unlink()
+
+
+main()
