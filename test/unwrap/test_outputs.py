@@ -146,6 +146,29 @@ class Outputs(Case):
         self.assertIn("mtllib sphere.uv.mtl\n", (self.folder / "sphere.uv.obj").read_text())
         self.assertRegex((self.folder / "sphere.uv.mtl").read_text(), "map_Kd .* a.png\n")
 
+    def test_plot_of_the_trade_off(self):
+        def plot(*arguments):
+            report = self.successful_report("--svg", "a.svg", *arguments)
+            root = xml.etree.ElementTree.parse(self.folder / "a.svg").getroot()
+            parts = {(node.tag.split("}")[1], node.get("class")): node for node in root.iter()}
+            places = [tuple(float(node.get(key)) for key in ("cx", "cy")) for node in parts["g", "tradeoff"]]
+            self.assertEqual(len(places), len(report["tradeoff"]))
+            self.assertGreater(len(places), 1)
+            # Longer cuts lie to the right, less distorted ones below (y goes down); all within the picture.
+            self.assertEqual(places, sorted(places))
+            self.assertEqual([y for _, y in places], sorted(y for _, y in places))
+            width, height = map(float, root.get("viewBox").split()[2:])
+            self.assertTrue(all(0 < x < width and 0 < y < height for x, y in places))
+            own = parts["g", "result"][0]
+            self.assertLess(min(math.dist(place, (float(own.get("cx")), float(own.get("cy")))) for place in places), 0.1)
+            return [y for _, y in places], report["tradeoff"], parts.get(("path", "bound"))
+
+        self.assertIsNone(plot()[2])
+        places, trade_offs, bound = plot("--max-distortion", "4.15")
+        y = float(re.match(r"M\S+ ([^L]+)L", bound.get("d")).group(1))
+        for place, (_, e_iso) in zip(places, trade_offs):
+            self.assertEqual(place >= y, e_iso <= 4.15)
+
     def test_texture_in_other_folder(self):
         for folder in ("meshes", "images"):
             os.mkdir(self.folder / folder)

@@ -100,7 +100,7 @@ void add_output_options(CLI::App& app, Options& options)
     ->type_name("OUT.obj")->group(group);
   app.add_option("--json", options.json, "Report of measures; - is the standard output")
     ->type_name("FILE")->group(group);
-  app.add_option("--svg", options.svg, "Picture of the layout, colored by distortion")
+  app.add_option("--svg", options.svg, "Picture of the layout, colored by distortion, and\nplot of length against distortion")
     ->type_name("FILE")->group(group);
   app.add_option("--texture", options.texture,
                  "Checkerboard image, which OUT.obj then shows\n(adds OUT.mtl beside it)")

@@ -70,6 +70,7 @@ struct Outcome
 
   std::optional<int> threads;
   std::optional<std::uint32_t> seed;
+  std::optional<double> maximum_distortion; // asked for
   std::optional<std::string> effort, solver;
 
   // Whether there is a valid result to write.

@@ -1,7 +1,9 @@
 #include "svg_writer.h"
 
 #include "Number_writer.h"
+#include "Trade_off_plot.h"
 #include "distortion_image.h"
+#include "svg_elements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,12 +83,6 @@ void draw_triangles(const Layout& layout, const View& view, Number_writer& out)
       << to_base64(image.to_png()) << "\"/>\n";
 }
 
-void draw_line(const Point& from, const Point& to, Number_writer& out)
-{
-  out << "M" << Coarse{from[0]} << " " << Coarse{from[1]}
-      << "L" << Coarse{to[0]} << " " << Coarse{to[1]};
-}
-
 // The edges of the triangles, where there are few enough to be seen.
 void draw_edges(const Layout& layout, const View& view, Number_writer& out)
 {
@@ -135,12 +131,6 @@ void draw_feature_points(const Layout& layout, const View& view, Number_writer& 
   out << "</g>\n";
 }
 
-void write_text(double x, double y, const char* anchor, std::string_view text, Number_writer& out)
-{
-  out << "<text x=\"" << Coarse{x} << "\" y=\"" << Coarse{y} << "\" text-anchor=\"" << anchor
-      << "\">" << text << "</text>\n";
-}
-
 std::string caption(const Outcome& outcome)
 {
   std::ostringstream text;
@@ -184,18 +174,21 @@ void draw_legend(const Outcome& outcome, double top, double width, Number_writer
 std::string to_svg(const Layout& layout, const Outcome& outcome)
 {
   const View view(layout);
+  const Trade_off_plot plot(outcome);
   const double legend_width = 480;
   const double width = 2 * margin + (std::max)(view.width(), legend_width);
-  const double legend_top = 2 * margin + view.height();
+  const double legend_top = 2 * margin + view.height(), plot_top = legend_top + legend_height;
   Number_writer out;
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << Coarse{width} << " "
-      << Coarse{legend_top + legend_height} << "\">\n"
+      << Coarse{plot_top + (plot.is_empty() ? 0 : Trade_off_plot::height)} << "\">\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   draw_triangles(layout, view, out);
   draw_edges(layout, view, out);
   draw_borders(layout, view, out);
   draw_feature_points(layout, view, out);
   draw_legend(outcome, legend_top, legend_width, out);
+  if(!plot.is_empty())
+    plot.draw(margin, plot_top, legend_width, out);
   out << "</svg>\n";
   return out.text();
 }

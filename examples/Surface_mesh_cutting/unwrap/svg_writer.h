@@ -6,7 +6,8 @@
 
 #include <string>
 
-// A picture of the layout: triangles colored by distortion, chart borders, feature points.
+// A picture of the layout: triangles colored by distortion, chart borders, feature points; and a plot
+// of the trade-off between length and distortion.
 // The triangles come as an image, so that the size of the file is bounded for any mesh.
 std::string to_svg(const Layout& layout, const Outcome& outcome);
 

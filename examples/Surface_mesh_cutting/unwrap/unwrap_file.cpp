@@ -34,6 +34,7 @@ Outcome unwrap_file(const Options& options)
   outcome.threads = options.threads;
   outcome.seed = options.seed;
   outcome.effort = options.effort;
+  outcome.maximum_distortion = options.maximum_distortion;
   outcome.solver = options.solver;
   try
   {
