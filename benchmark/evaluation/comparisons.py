@@ -1,0 +1,157 @@
+"""Figures 16, 18 and 21: other detectors, other Steiner trees, another cutter."""
+
+import csv
+import io
+import math
+import statistics
+
+from measuring import Claim, mean, report, rows
+from paper import LONGER_THAN_OPTCUTS, MEAN_TREE_RATIO, SHORTEST_TREES, SPHERICAL_FAILURES, TIMES_FASTER
+from plots import cumulative, histogram, write_plot
+
+RIVALS = ["seamster", "geometry_image", "sphere"]
+DETECTORS = [*RIVALS, "ours"]
+
+
+def detector_commands(setting):
+    return {("detectors", mesh): setting.detectors(mesh, ",".join(DETECTORS), "best") for mesh in setting.closed}
+
+
+def detector_table(setting, outcomes):
+    """Figure 16. Each rival is compared with ours on the meshes on which both succeed."""
+    table = [row for outcome in outcomes.values() for row in rows(outcome)]
+    setting.write_table("figure_16_detectors", table)
+    done = {name: {row["mesh"]: row for row in table if row["detector"] == name and row["status"] == "done"}
+            for name in DETECTORS}
+    write_plot(setting.output, "figure_16_detectors",
+               "set xlabel 'mean energy (4.6 and more in the last bin)'; set ylabel 'share of the meshes'",
+               [(name, histogram([row["E"] for row in found.values()], 4., 4.6, 15), "linespoints")
+                for name, found in done.items()])
+    statistic_rows = [{"detector": name, "meshes": len(found), "E_mean": mean(row["E"] for row in found.values()),
+                       "E_max": max(row["E"] for row in found.values()),
+                       "E_deviation": statistics.pstdev(row["E"] for row in found.values()),
+                       "L_mean": mean(row["L"] for row in found.values()),
+                       "features_mean": mean(row["features"] for row in found.values()),
+                       "detect_s_mean": mean(row["detect_seconds"] for row in found.values())}
+                      for name, found in done.items() if found]
+    setting.write_table("figure_16_statistics", statistic_rows)
+    setting.rivals = {name: done[name] for name in RIVALS}
+    claims = []
+    for rival in RIVALS:
+        common = sorted(done[rival].keys() & done["ours"].keys())
+        if not common:
+            claims.append(Claim("Figure 16", f"lower energy than {rival}", "", "", None))
+            continue
+        energies, lengths = ([mean(done[name][mesh][column] for mesh in common) for name in ("ours", rival)]
+                             for column in "EL")
+        claims.append(Claim("Figure 16", f"lower mean energy than {rival}", "lower",
+                            f"{energies[0]:.3f} against {energies[1]:.3f} on {len(common)} meshes",
+                            energies[0] < energies[1]))
+        claims.append(Claim("Section 4.2", f"no longer on average than {rival}", "not said; longer for single meshes",
+                            f"{lengths[0]:.3f} against {lengths[1]:.3f}", lengths[0] <= lengths[1]))
+    spherical = [row for row in table if row["detector"] == "sphere"]
+    failed = sum("spherical map" in row["status"] for row in spherical)
+    if spherical:
+        claims.append(Claim("Section 4.2", "spherical maps that are not bijective", f"{100 * SPHERICAL_FAILURES:.1f} %",
+                            f"{100 * failed / len(spherical):.1f} % ({failed})", failed > 0))
+    return claims
+
+
+def same_energy_commands(setting):
+    """A rival that misses features has shorter cuts. What counts is the length at the same energy."""
+    return {(rival, mesh): setting.unwrap(mesh, "--max-distortion", row["E"])
+            for rival, found in setting.rivals.items() for mesh in setting.closed
+            if (row := found.get(mesh.name))}
+
+
+def same_energy_table(setting, outcomes):
+    table = []
+    for (rival, mesh), outcome in outcomes.items():
+        r, row = report(outcome), setting.rivals[rival][mesh.name]
+        if r and r["status"] == "done":
+            table.append({"mesh": mesh.name, "rival": rival, "E_rival": row["E"], "L_rival": row["L"], "E": r["E_iso"],
+                          "L": r["cut_length"]})
+    setting.write_table("figure_16_same_energy", table)
+    claims = []
+    for rival, found in setting.rivals.items():
+        own = [row for row in table if row["rival"] == rival]
+        ours, theirs = (mean(row[column] for row in own) for column in ("L", "L_rival"))
+        claims.append(Claim("Section 4.2", f"bounded to the energy of {rival}, shorter cuts", "not measured",
+                            f"{ours:.3f} against {theirs:.3f} on {len(own)} of {len(found)} meshes",
+                            ours < theirs if own else None))
+    return claims
+
+
+def steiner_commands(setting):
+    return {("steiner", mesh): [setting.programs / "connect_random_terminals", mesh.parent, mesh.name]
+            for mesh in setting.closed}
+
+
+def steiner_table(setting, outcomes):
+    """Figure 18: ratios to the shortest tree, where that is proven."""
+    table = [row for outcome in outcomes.values() for row in rows(outcome)
+             if outcome.exit_code == 0 and row["optimal"] == 1]
+    setting.write_table("figure_18_steiner_trees", table)
+    if not table:
+        return [Claim("Figure 18", "greedy trees are close to the shortest", "", "", None)]
+    ratios = {name: [row[f"length_{name}"] / row["length_best"] for row in table] for name in ("mst", "sph", "greedy")}
+    write_plot(setting.output, "figure_18_steiner_trees",
+               "set xlabel 'length / shortest length'; set ylabel 'share of the sets'; set xrange [1:1.2]; "
+               "set yrange [0:1]; set key bottom right",
+               [(name, cumulative(values), "steps") for name, values in ratios.items()])
+    exact = {name: sum(ratio <= 1 + 1e-9 for ratio in values) / len(values) for name, values in ratios.items()}
+    others = f"MST {mean(ratios['mst']):.4f}, SPH {mean(ratios['sph']):.4f}"
+    ours = mean(ratios["greedy"])
+    return [
+        Claim("Figure 18", "the greedy connection often finds a shortest tree", f"{100 * SHORTEST_TREES:.1f} %",
+              f"{100 * exact['greedy']:.1f} % of {len(table)} sets (MST {100 * exact['mst']:.1f} %, "
+              f"SPH {100 * exact['sph']:.1f} %)", exact["greedy"] >= SHORTEST_TREES - 0.1),
+        Claim("Figure 18", "mean ratio of the greedy connection to the shortest", f"{MEAN_TREE_RATIO}", f"{ours:.4f}",
+              ours <= MEAN_TREE_RATIO + 0.002),
+        Claim("Figure 18", "greedy is shorter than MST and SPH on average", "shorter", f"{ours:.4f}; {others}",
+              ours < min(mean(ratios["mst"]), mean(ratios["sph"])))]
+
+
+def read_rival(file):
+    """Lines `mesh,seconds,length,energy` of another cutter: length in diagonals, energy its bound or result."""
+    with open(file, encoding="utf-8") as lines:
+        return {row["mesh"]: {key: float(row[key]) for key in ("seconds", "length", "energy")}
+                for row in csv.DictReader(io.StringIO(lines.read()))}
+
+
+def rival_commands(setting):
+    """As in the paper, both make bijective maps of the same energy."""
+    if not setting.extra:
+        return {}
+    known = read_rival(setting.extra)
+    return {("rival", mesh): setting.unwrap(mesh, "--bijective", "--max-distortion", known[mesh.name]["energy"])
+            for mesh in setting.closed if mesh.name in known}
+
+
+def rival_table(setting, outcomes):
+    known = read_rival(setting.extra) if setting.extra else {}
+    table = []
+    for (_, mesh), outcome in outcomes.items():
+        r, rival = report(outcome), known[mesh.name]
+        if r:
+            seconds = r["cpu_seconds"]["total"]
+            table.append({"mesh": mesh.name, "faces": r["faces"], "E": r["E_iso"], "L": r["cut_length"],
+                          "seconds": seconds, "rival_E": rival["energy"], "rival_L": rival["length"],
+                          "rival_seconds": rival["seconds"], "time_ratio": rival["seconds"] / seconds,
+                          "length_ratio": rival["length"] / r["cut_length"]})
+    setting.write_table("figure_21_other_cutter", table)
+    if not table:
+        return [Claim("Figure 21", "faster than OptCuts, with shorter cuts", f"about {TIMES_FASTER} times", "", None)]
+    times, lengths = ([row[column] for row in table] for column in ("time_ratio", "length_ratio"))
+    write_plot(setting.output, "figure_21_other_cutter",
+               "set xlabel 'ln(other / ours)'; set ylabel 'share of the meshes'",
+               [(name, histogram([math.log(value) for value in values], -2., 8., 20), "linespoints")
+                for name, values in (("time", times), ("length", lengths))])
+    longer = sum(ratio < 1 for ratio in lengths) / len(lengths)
+    return [
+        Claim("Figure 21", "times as fast as the other cutter, on average", f"about {TIMES_FASTER}",
+              f"{mean(times):.1f} on {len(table)} meshes", mean(times) >= TIMES_FASTER),
+        Claim("Figure 21", "shorter cuts than the other cutter on average (its length / ours)", "more than 1",
+              f"{mean(lengths):.3f}", mean(lengths) > 1),
+        Claim("Section 5", "share of meshes with longer cuts than the other cutter's",
+              f"{100 * LONGER_THAN_OPTCUTS:.1f} %", f"{100 * longer:.1f} %", longer <= LONGER_THAN_OPTCUTS)]

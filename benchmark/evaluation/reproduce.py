@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Repeats the paper's evaluation on a folder of meshes: tables (CSV), plots (gnuplot, SVG), and a summary
+that says of each claim what the paper found, what was found here, and whether it holds.
+
+What is finished is kept in OUTPUT/pieces and not run again: call it once more to go on, with more time
+or more meshes. Meshes that cannot be read or are not closed, connected and of genus 0 are left out of
+the comparisons and listed in OUTPUT/meshes.csv.
+
+Times are processor seconds of one thread, measured while others run beside; use --jobs 1 on an idle
+machine where they matter.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+
+import comparisons
+import stages
+import sweeps
+from measuring import Setting
+from pieces import Pieces
+
+SUFFIXES = {".off", ".obj", ".ply", ".stl"}
+
+# Commands and what is made of their answers.
+EXPERIMENTS = {
+    "detectors": (comparisons.detector_commands, comparisons.detector_table),
+    "same_energy": (comparisons.same_energy_commands, comparisons.same_energy_table),  # after the detectors
+    "stages": (stages.stage_commands, stages.stage_table),
+    "sweeps": (sweeps.sweep_commands, sweeps.sweep_tables),
+    "triangulations": (sweeps.triangulation_commands, sweeps.triangulation_table),
+    "steiner": (comparisons.steiner_commands, comparisons.steiner_table),
+    "other_cutter": (comparisons.rival_commands, comparisons.rival_table),
+    "solvers": (stages.solver_commands, stages.solver_table),
+}
+
+
+def survey(setting, pieces, folder, largest):
+    """Runs the package on every mesh, and finds those on which the paper's method is defined."""
+    meshes = sorted(path.resolve() for path in folder.rglob("*") if path.suffix.lower() in SUFFIXES)
+    meshes.sort(key=lambda mesh: mesh.stat().st_size)
+    outcomes = pieces.run({mesh: setting.unwrap(mesh, "--time-limit", "100") for mesh in meshes})
+    table, faces = [], {}
+    for mesh, outcome in outcomes.items():
+        try:
+            report = json.loads(outcome.output)
+        except json.JSONDecodeError:
+            report = {"status": "not finished"}
+        is_closed = (report["status"] == "done" and report["components"] == 1 and report["genus"] == 0
+                     and report["borders"] == 0 and report["flips"] == 0)
+        is_used = is_closed and report["faces"] <= largest
+        if is_used:
+            faces[mesh] = report["faces"]
+        table.append({"mesh": mesh.name, "status": report["status"], "message": report.get("message", ""),
+                      **{key: report.get(key) for key in ("faces", "genus", "borders", "components")},
+                      "L": report.get("cut_length"), "E": report.get("E_iso"), "used": is_used})
+    setting.closed = sorted(faces, key=lambda mesh: (faces[mesh], mesh))
+    setting.write_table("meshes", table)
+    return len(table)
+
+
+def write_summary(setting, claims, pieces, number_of_meshes):
+    lines = ["# The paper's claims", "",
+             f"{number_of_meshes} meshes, {len(setting.closed)} of them closed, connected, of genus 0 and not too "
+             "large: on those the comparisons were made.", ""]
+    if not setting.closed:
+        lines += ["**So far, no mesh is closed, connected and of genus 0.**", ""]
+    if pieces.number_left:
+        lines += [f"**{pieces.number_left} runs are left: call the program again.**", ""]
+    lines += ["| source | claim | paper | here | |", "|---|---|---|---|---|"]
+    lines += [f"| {c.source} | {c.statement} | {c.paper} | {c.ours} | {c.verdict()} |" for c in claims]
+    text = "\n".join(lines) + "\n"
+    (setting.output / "summary.md").write_text(text, encoding="utf-8")
+    print(text)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", help="the folder of the programs, build/bin")
+    parser.add_argument("meshes", type=pathlib.Path, help="a folder of meshes")
+    parser.add_argument("output", type=pathlib.Path, help="a folder for results")
+    parser.add_argument("--only", action="append", choices=EXPERIMENTS, help="this experiment; may be repeated")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="at a time; default: one per core")
+    parser.add_argument("--minutes", type=float, default=50, help="start nothing later; default: %(default)s")
+    parser.add_argument("--time-limit", type=float, default=300, metavar="SECONDS",
+                        help="of one run; default: %(default)s")
+    parser.add_argument("--largest", type=int, default=30000, metavar="FACES",
+                        help="leave larger meshes out of the comparisons; default: %(default)s")
+    parser.add_argument("--other-cutter", metavar="CSV",
+                        help="figures of another cutter, such as OptCuts: mesh,seconds,length,energy with one line "
+                             "per mesh; lengths in diagonals of the bounding box")
+    arguments = parser.parse_args()
+    setting = Setting(arguments.programs, arguments.output.resolve(), arguments.other_cutter)
+    pieces = Pieces(setting.output / "pieces", arguments.jobs, arguments.time_limit, arguments.minutes)
+    number_of_meshes = survey(setting, pieces, arguments.meshes, arguments.largest)
+    chosen = [name for name in EXPERIMENTS if setting.closed and name in (arguments.only or EXPERIMENTS)]
+    if "triangulations" in chosen:
+        pieces.run(sweeps.making_commands(setting))
+    claims = []
+    for name in chosen:
+        commands, evaluate = EXPERIMENTS[name]
+        claims += evaluate(setting, pieces.run(commands(setting)))
+    write_summary(setting, claims, pieces, number_of_meshes)
+
+
+if __name__ == "__main__":
+    main()
