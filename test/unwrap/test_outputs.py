@@ -11,6 +11,7 @@ import subprocess
 import time
 import xml.etree.ElementTree
 from fractions import Fraction
+from pathlib import Path
 
 from support import Case, PROGRAM, TIME_LIMIT, main, read_obj, sphere, to_off
 
@@ -79,6 +80,9 @@ class Outputs(Case):
         for key in ("cut_length", "E_iso", "E_max", "peak_memory_mb"):
             self.assertGreater(report[key], 0, key)
         self.assertGreater(report["seconds"]["total"], 0)
+        page = Path(__file__).parents[2] / "examples/Surface_mesh_cutting/unwrap/README.md"
+        for key in (*report, *report["seconds"]):
+            self.assertIn(f"`{key}`", page.read_text())
 
     def test_report_in_file(self):
         run = self.unwrap("sphere.off", "--json", "report.json")
