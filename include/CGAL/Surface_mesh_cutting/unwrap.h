@@ -72,7 +72,7 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNBegin{coarse_number_of_faces}
 ///     \cgalParamDescription{the size of a component above which its feature points are found on a coarser version of about this size; `0`: never}
 ///     \cgalParamType{`int`}
-///     \cgalParamDefault{`3000` with `Effort::FAST`, `5000` with `Effort::DEFAULT`, and `0` with `Effort::BEST` or `faithful(true)`}
+///     \cgalParamDefault{`5000`, and `0` with `Effort::BEST` or `faithful(true)`}
 ///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_length_decrease}

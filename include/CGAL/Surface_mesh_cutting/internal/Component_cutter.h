@@ -149,7 +149,7 @@ private:
   Refiner make_refiner(const Resolution& resolution)
   {
     return Refiner(resolution.mesh, resolution.shapes, resolution.constraints, resolution.terminals,
-                   m_parameters.connection, m_control);
+                   m_parameters, m_control);
   }
 
   // A mesh only little larger than the target would not become much simpler. A given cut lies on the
@@ -157,7 +157,7 @@ private:
   bool is_coarsened() const
   {
     return m_parameters.coarse_number_of_faces > 0 && !m_initial.is_given() &&
-           2 * m_fine.mesh.number_of_faces() > 3 * m_parameters.coarse_number_of_faces;
+           4 * m_fine.mesh.number_of_faces() > 5 * m_parameters.coarse_number_of_faces;
   }
 
   bool refines(const Resolution& resolution) const

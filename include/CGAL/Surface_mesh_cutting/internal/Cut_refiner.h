@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/Leaf_branches.h>
 #include <CGAL/Surface_mesh_cutting/internal/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
@@ -57,17 +58,16 @@ public:
   // `constraints` and `terminals`, which stay on the cut, as in `Component_cutter`; `control` and the
   // other references are kept.
   Cut_refiner(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
-              const std::vector<int>& terminals, const CGAL::internal::Steiner_tree::Options& connection,
-              Run_control& control)
+              const std::vector<int>& terminals, const Cutting_parameters& parameters, Run_control& control)
     : m_mesh(mesh), m_shapes(shapes), m_constraints(constraints), m_terminals(terminals),
-      m_connection(connection), m_control(control), m_search(mesh, constraints), m_map(mesh, shapes, control)
+      m_parameters(parameters), m_control(control), m_search(mesh, constraints), m_map(mesh, shapes, control)
   {}
 
   // Connects the features; the first of the calls.
   Flat_status connect(std::vector<int> features)
   {
     m_features = std::move(features);
-    m_tree = make_tree();
+    m_tree = make_tree(m_parameters.connection);
     m_length = cut_length(m_mesh, m_tree.cut);
     return m_tree.status;
   }
@@ -152,9 +152,9 @@ private:
     double cost_per_length() const { return gap * gap / length; }
   };
 
-  Connected_cut make_tree()
+  Connected_cut make_tree(const CGAL::internal::Steiner_tree::Options& connection)
   {
-    return connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, m_connection,
+    return connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, connection,
                                             [this] { return m_control.go_further(); });
   }
 
@@ -200,7 +200,10 @@ private:
   // Takes the tree through the present features instead of the present cut. False if that failed.
   bool reconnect()
   {
-    m_tree = make_tree();
+    CGAL::internal::Steiner_tree::Options connection = m_parameters.connection;
+    connection.maximum_number_of_states
+      = (std::min)(connection.maximum_number_of_states, m_parameters.number_of_states_while_refining);
+    m_tree = make_tree(connection);
     m_length = cut_length(m_mesh, m_tree.cut);
     return m_tree.status && map();
   }
@@ -289,7 +292,7 @@ private:
   const std::vector<Rest_shape>& m_shapes;
   const Edge_constraints& m_constraints;
   const std::vector<int>& m_terminals;
-  const CGAL::internal::Steiner_tree::Options& m_connection;
+  const Cutting_parameters& m_parameters;
   Run_control& m_control;
   Slit_search<LinearSolver> m_search;
   Running_map<LinearSolver> m_map;

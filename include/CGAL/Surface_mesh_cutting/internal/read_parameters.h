@@ -68,7 +68,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
   switch(effort)
   {
   case Effort::FAST:
-    p.coarse_number_of_faces = 3000;
+    p.coarse_number_of_faces = 5000;
     p.number_of_shortening_solves = has_bound ? 20 : 0;
     break;
   case Effort::DEFAULT:
@@ -113,6 +113,8 @@ Request read_request(const NamedParameters& np)
   read(get_parameter(np, internal_np::connection), connection);
   p.connection.method = steiner_method(connection, p.is_faithful);
   request.needs_optimal_tree = connection == Connection::EXACT;
+  if(request.needs_optimal_tree)
+    p.number_of_states_while_refining = p.connection.maximum_number_of_states;
   if(!p.is_faithful)
     set_effort(request.effort, p);
   else

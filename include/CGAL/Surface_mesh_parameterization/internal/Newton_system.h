@@ -14,10 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/fill_reducing_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/triangle_energy.h>
 
-#include <Eigen/OrderingMethods>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -26,17 +27,6 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-
-// An order of the vertices of a graph that keeps Cholesky factors sparse (approximate minimum
-// degree). It is computed on vertices, not on unknowns: the two unknowns of a vertex stay together.
-inline std::vector<int> fill_reducing_order(const Sparse_matrix& adjacency)
-{
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  Eigen::AMDOrdering<int> order;
-  order(adjacency, permutation);
-  return std::vector<int>(permutation.indices().data(),
-                          permutation.indices().data() + permutation.size());
-}
 
 // The sparse system of a Newton step: gradient and Hessian of a sum of triangle energies. The
 // pattern, the places of all entries in it and the order of the unknowns are found once.
@@ -153,7 +143,7 @@ private:
     std::vector<std::array<int, 2> > pairs;
     pairs.reserve(6 * triangles.size() + n);
     for(int i = 0; i < n; ++i)
-      pairs.push_back({i, i}); // Eigen takes a row without diagonal entry for a dense one
+      pairs.push_back({i, i});
     for(const Triangle& t : triangles)
       for(int k = 0; k < 3; ++k)
       {
