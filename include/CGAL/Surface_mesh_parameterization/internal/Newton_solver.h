@@ -30,7 +30,8 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-enum class Newton_outcome { CONVERGED, STOPPED, ITERATION_LIMIT, STALLED, FAILED };
+// With SINGULAR, rounding left no system to solve; the map is valid. With FAILED it is not.
+enum class Newton_outcome { CONVERGED, STOPPED, ITERATION_LIMIT, STALLED, SINGULAR, FAILED };
 
 // What is known after the direction of a step was found and before it is taken.
 struct Newton_state
@@ -106,7 +107,11 @@ public:
     while(true)
     {
       if(!find_direction<Energy>(shapes, weights, uv, result))
+      {
+        result.energy = energy<Energy>(shapes, weights, uv);
+        result.outcome = Newton_outcome::SINGULAR;
         return result;
+      }
       m_memory.clear();
       for(int i = 0; i <= maximum_reuse; ++i)
       {

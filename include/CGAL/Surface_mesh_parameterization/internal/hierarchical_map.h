@@ -58,8 +58,10 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size, cons
     if(is_first && !tutte_map(stage.chart, stage.points, surface_area(stage.shapes), stage_uv))
       return Stages_outcome::FAILED;
     const Newton_outcome outcome = optimize(stage, stage_uv);
-    if(outcome == Newton_outcome::FAILED || outcome == Newton_outcome::STOPPED)
-      return outcome == Newton_outcome::STOPPED ? Stages_outcome::STOPPED : Stages_outcome::FAILED;
+    if(outcome == Newton_outcome::STOPPED)
+      return Stages_outcome::STOPPED;
+    if(outcome == Newton_outcome::SINGULAR || outcome == Newton_outcome::FAILED)
+      return Stages_outcome::FAILED;
     extend(stage_uv, stage.vertices, uv);
     if(!hierarchy.refine_to<Energy>(growth * hierarchy.number_of_vertices(), uv))
       return Stages_outcome::FAILED;
