@@ -18,43 +18,50 @@ def detector_commands(setting):
 
 
 def detector_table(setting, outcomes):
-    """Figure 16. Each rival is compared with ours on the meshes on which both succeed."""
+    """Figure 16."""
     table = [row for outcome in outcomes.values() for row in rows(outcome)]
     setting.write_table("figure_16_detectors", table)
     done = {name: {row["mesh"]: row for row in table if row["detector"] == name and row["status"] == "done"}
             for name in DETECTORS}
+    setting.write_table("figure_16_statistics",
+                        [statistic(name, found.values()) for name, found in done.items() if found])
     write_plot(setting.output, "figure_16_detectors",
                "set xlabel 'mean energy (4.6 and more in the last bin)'; set ylabel 'share of the meshes'",
                [(name, histogram([row["E"] for row in found.values()], 4., 4.6, 15), "linespoints")
                 for name, found in done.items()])
-    statistic_rows = [{"detector": name, "meshes": len(found), "E_mean": mean(row["E"] for row in found.values()),
-                       "E_max": max(row["E"] for row in found.values()),
-                       "E_deviation": statistics.pstdev(row["E"] for row in found.values()),
-                       "L_mean": mean(row["L"] for row in found.values()),
-                       "features_mean": mean(row["features"] for row in found.values()),
-                       "detect_s_mean": mean(row["detect_seconds"] for row in found.values())}
-                      for name, found in done.items() if found]
-    setting.write_table("figure_16_statistics", statistic_rows)
     setting.rivals = {name: done[name] for name in RIVALS}
-    claims = []
-    for rival in RIVALS:
-        common = sorted(done[rival].keys() & done["ours"].keys())
-        if not common:
-            claims.append(Claim("Figure 16", f"lower energy than {rival}", "", "", None))
-            continue
-        energies, lengths = ([mean(done[name][mesh][column] for mesh in common) for name in ("ours", rival)]
-                             for column in "EL")
-        claims.append(Claim("Figure 16", f"lower mean energy than {rival}", "lower",
-                            f"{energies[0]:.3f} against {energies[1]:.3f} on {len(common)} meshes",
-                            energies[0] < energies[1]))
-        claims.append(Claim("Section 4.2", f"no longer on average than {rival}", "not said; longer for single meshes",
-                            f"{lengths[0]:.3f} against {lengths[1]:.3f}", lengths[0] <= lengths[1]))
+    claims = [claim for rival in RIVALS for claim in rival_claims(rival, done[rival], done["ours"])]
     spherical = [row for row in table if row["detector"] == "sphere"]
     failed = sum("spherical map" in row["status"] for row in spherical)
     if spherical:
         claims.append(Claim("Section 4.2", "spherical maps that are not bijective", f"{100 * SPHERICAL_FAILURES:.1f} %",
                             f"{100 * failed / len(spherical):.1f} % ({failed})", failed > 0))
     return claims
+
+
+def statistic(name, found):
+    energies = [row["E"] for row in found]
+    return {"detector": name, "meshes": len(energies), "E_mean": mean(energies), "E_max": max(energies),
+            "E_deviation": statistics.pstdev(energies), "L_mean": mean(row["L"] for row in found),
+            "features_mean": mean(row["features"] for row in found),
+            "detect_s_mean": mean(row["detect_seconds"] + row["filter_seconds"] for row in found)}
+
+
+def rival_claims(rival, theirs, ours):
+    """On the meshes on which both succeed."""
+    common = sorted(theirs.keys() & ours.keys())
+    if not common:
+        return [Claim("Figure 16", f"lower mean energy than {rival}", "lower", "", None)]
+    (energy, length), (rival_energy, rival_length) = (
+        [mean(found[mesh][column] for mesh in common) for column in "EL"] for found in (ours, theirs))
+    better = sum(all(theirs[mesh][column] < ours[mesh][column] for column in "EL") for mesh in common)
+    return [
+        Claim("Figure 16", f"lower mean energy than {rival}", "lower",
+              f"{energy:.3f} against {rival_energy:.3f} on {len(common)} meshes", energy < rival_energy),
+        Claim("Section 4.2", f"no longer on average than {rival}", "not said; longer for single meshes",
+              f"{length:.3f} against {rival_length:.3f}", length <= rival_length),
+        Claim("Section 4.2", f"hardly a mesh on which {rival} has both lower energy and a shorter cut",
+              "not measured", f"{better} of {len(common)}", better < len(common) / 10)]
 
 
 def same_energy_commands(setting):
