@@ -49,18 +49,18 @@ With 2 to 5, nothing but the JSON report is written.
 Examples:
   unwrap cow.off
       writes cow.uv.obj
-  Output
+Output:
   unwrap cow.off -o flat.obj --texture check.png
       look at flat.obj in any viewer: where the squares are square, nothing is distorted
   unwrap cow.off --svg flat.svg --json -
       a picture, and measures on the terminal
-  Method
+Method:
   unwrap cow.off --max-distortion 4.1 --bijective
       the shortest cut found with which distortion is hardly visible and nothing overlaps
-  Constraints
+Constraints:
   unwrap cow.off --never-cut face.selection.txt --edge-weights visibility
       no cut across the face, elsewhere where it is hardly seen
-  Computation
+Computation:
   unwrap cow.off --effort best --time-limit 60
       at most a minute, then the best result so far
 )";
