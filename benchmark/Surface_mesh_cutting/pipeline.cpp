@@ -1,119 +1,228 @@
-// Runs the whole method on each mesh of a folder and prints one line of CSV per mesh: counts, cut
-// length over the bounding box diagonal, distortion, and processor seconds per phase.
+// Runs the whole method on meshes and prints a line of CSV for each mesh and seed: counts, length of the cut
+// over the bounding box diagonal, distortion, seconds, and memory.
 //
-//   pipeline [FOLDER] [--faithful] [--effort fast|default|best] [--connect mst|greedy|best] [--seed N] [--repeat N]
+//   pipeline [FOLDER|FILE...] [--effort fast|default|best] [--faithful] [--connect mst|sph|greedy|exact|best]
+//            [--conformal kp-newton|spectral] [--coarse FACES] [--max-distortion B] [--solver eigen|cholmod]
+//            [--threads N] [--seeds N] [--repetitions R] [--cold-map] [--baseline FILE.csv]
 //
-// FOLDER holds OFF, OBJ, PLY or STL files; the default is CGAL's data set. With --repeat, times are
-// medians.
+// The default is CGAL's data set. Times are medians over the repetitions, those of the phases and `cut_s`, all
+// without the final UVs, are processor seconds. `--coarse 0` stays at full resolution. With `--cold-map`, `cold_s`
+// is what a symmetric Dirichlet parameterization of the surface opened along the final cut takes from nothing
+// (connected surfaces only). With `--baseline`, the last column says how many times as long that took.
+// Means and ratios follow on the standard error output.
 
+#include "Baseline.h"
+#include "peak_memory.h"
+#include "pipeline_options.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/Surface_mesh_cutting/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
 
-#include <algorithm>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <cstdlib>
-#include <filesystem>
+#include <ctime>
+#include <exception>
 #include <iostream>
-#include <set>
-#include <string>
-#include <vector>
-
-typedef CGAL::Simple_cartesian<double>        Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>   Mesh;
-typedef boost::graph_traits<Mesh>::edge_descriptor     edge_descriptor;
-typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+namespace SMP = CGAL::Surface_mesh_parameterization;
 
-struct Options
+typedef CGAL::Simple_cartesian<double>                 Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>            Mesh;
+typedef boost::graph_traits<Mesh>::edge_descriptor     edge_descriptor;
+typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+typedef Mesh::Property_map<edge_descriptor, bool>      Cut_map;
+typedef SMC::Unwrap_result<Mesh>                       Result;
+typedef Eigen::SparseMatrix<double>                    Matrix;
+typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> > Simplicial_traits;
+
+// Of one phase, over the repetitions.
+double median_seconds(const std::vector<SMC::Phase_times>& times, double SMC::Phase_times::* phase)
 {
-  std::string folder = std::filesystem::path(CGAL::data_file_path("meshes/cow.off")).parent_path().string();
-  bool is_faithful = false;
-  SMC::Effort effort = SMC::Effort::DEFAULT;
-  SMC::Connection connection = SMC::Connection::BEST;
-  unsigned int seed = 0;
-  int repeat = 1;
+  std::vector<double> values;
+  for(const SMC::Phase_times& t : times)
+    values.push_back(t.*phase);
+  return median(values);
+}
+
+struct Measurement
+{
+  Result result;
+  std::vector<SMC::Phase_times> cpu_seconds, seconds;
+  std::optional<double> cold_seconds;
+  double memory = 0; // in megabytes
+
+  double total() const { return median_seconds(cpu_seconds, &SMC::Phase_times::total); }
+  double cut() const { return total() - median_seconds(cpu_seconds, &SMC::Phase_times::parameterize); }
 };
 
-Options read_options(int argc, char** argv)
+// What everyone pays who wants UVs: one map from nothing of the surface opened along the cut.
+template <typename SolverTraits>
+std::optional<double> seconds_of_cold_map(const Mesh& mesh, Cut_map is_cut, const Result& result)
 {
-  Options options;
-  for(int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i], next = i + 1 < argc ? argv[i + 1] : "";
-    if(word == "--faithful")
-    {
-      options.is_faithful = true;
-      options.connection = SMC::Connection::GREEDY;
-      continue;
-    }
-    if(word.rfind("--", 0) != 0)
-    {
-      options.folder = word;
-      continue;
-    }
-    ++i;
-    if(word == "--effort")
-      options.effort = next == "fast" ? SMC::Effort::FAST : next == "best" ? SMC::Effort::BEST : SMC::Effort::DEFAULT;
-    else if(word == "--connect")
-      options.connection = next == "mst" ? SMC::Connection::METRIC_CLOSURE
-                         : next == "greedy" ? SMC::Connection::GREEDY : SMC::Connection::BEST;
-    else if(word == "--seed")
-      options.seed = unsigned(std::atoi(next.c_str()));
-    else if(word == "--repeat")
-      options.repeat = (std::max)(1, std::atoi(next.c_str()));
-  }
-  return options;
+  if(!result || result.components != 1)
+    return std::nullopt;
+  const auto seam_mesh = SMC::make_seam_mesh(mesh, is_cut);
+  SMP::internal::Mesh_chart<std::decay_t<decltype(seam_mesh)> > chart;
+  const auto border = CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first;
+  if(chart.read(seam_mesh, border) != SMP::OK)
+    return std::nullopt;
+  const std::clock_t start = std::clock();
+  const auto shapes = SMP::internal::rest_shapes(chart.chart().triangles(), chart.points());
+  SMP::internal::Chart_parameterizer<typename SMC::internal::Engine_solver<SolverTraits>::type>
+    parameterizer(chart.chart(), chart.points(), shapes);
+  std::vector<Eigen::Vector2d> uv;
+  parameterizer.isometric_map(uv, SMP::internal::Newton_options());
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-double median(std::vector<double> values)
+template <typename SolverTraits>
+Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
 {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  const Cut_map is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
+  const auto uv = mesh.add_property_map<halfedge_descriptor, Kernel::Point_2>("h:uv").first;
+  const auto np = CGAL::parameters::faithful(options.is_faithful)
+                    .effort(options.effort)
+                    .connection(options.connection_or_default())
+                    .conformal_solver(options.conformal_solver_or_default())
+                    .coarse_number_of_faces(options.coarse_number_of_faces_or_default())
+                    .maximum_distortion(options.maximum_distortion)
+                    .random_seed(static_cast<unsigned int>(seed))
+                    .sparse_linear_solver(SolverTraits());
+  Measurement measurement;
+  reset_peak_memory();
+  for(int i = 0; i < options.repetitions; ++i)
+  {
+    measurement.result = SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, is_cut, uv, np);
+    measurement.cpu_seconds.push_back(measurement.result.cpu_seconds);
+    measurement.seconds.push_back(measurement.result.seconds);
+  }
+  measurement.memory = peak_memory();
+  if(options.measures_cold_map)
+    measurement.cold_seconds = seconds_of_cold_map<SolverTraits>(mesh, is_cut, measurement.result);
+  return measurement;
 }
 
-void run(const std::filesystem::path& file, const Options& options)
+Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
 {
-  Mesh mesh;
-  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file.string(), mesh))
+#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
+  if(options.solver == "cholmod")
+    return measure<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix> > >(mesh, options, seed);
+#endif
+  if(options.solver != "eigen")
+    throw std::runtime_error("there is no solver " + options.solver);
+  return measure<Simplicial_traits>(mesh, options, seed);
+}
+
+// Nothing if there is no value.
+std::ostream& operator<<(std::ostream& out, const std::optional<double>& value)
+{
+  return value ? out << *value : out;
+}
+
+void print(const std::string& file, int seed, const Mesh& mesh, const Measurement& m, std::optional<double> ratio)
+{
+  const Result& r = m.result;
+  std::cout << file << ',' << seed << ',' << (r ? "done" : r.status.message) << ',' << num_faces(mesh) << ','
+            << r.genus << ',' << r.borders << ',' << r.candidates << ',' << r.features << ',' << r.auxiliary << ','
+            << r.cut_length / r.bounding_box_diagonal << ',' << r.E_iso << ',' << r.E_max;
+  for(double SMC::Phase_times::* phase : {&SMC::Phase_times::candidates, &SMC::Phase_times::filter,
+                                          &SMC::Phase_times::connect, &SMC::Phase_times::refine,
+                                          &SMC::Phase_times::parameterize, &SMC::Phase_times::total})
+    std::cout << ',' << median_seconds(m.cpu_seconds, phase);
+  std::cout << ',' << m.cut() << ',' << median_seconds(m.seconds, &SMC::Phase_times::total) << ',' << m.memory << ','
+            << m.cold_seconds << ',' << ratio << std::endl;
+}
+
+// Means over all runs that succeeded.
+class Summary
+{
+public:
+  void add(const Measurement& m)
   {
-    std::cout << file.filename().string() << ",unreadable" << std::endl;
-    return;
+    const Result& r = m.result;
+    if(!r)
+    {
+      ++m_failures;
+      return;
+    }
+    const std::vector<double> values = {double(r.candidates), double(r.features),
+                                        r.cut_length / r.bounding_box_diagonal, r.E_iso, m.cut(), m.total()};
+    for(std::size_t i = 0; i < values.size(); ++i)
+      m_sums[i] += values[i];
+    ++m_runs;
+    if(m.cold_seconds)
+      m_cold_ratios.push_back(m.total() / *m.cold_seconds);
   }
-  auto is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
-  auto uv = mesh.add_property_map<halfedge_descriptor, Kernel::Point_2>("h:uv").first;
-  SMC::Unwrap_result<Mesh> result;
-  std::vector<double> candidates, filter, connect, parameterize, total;
-  for(int i = 0; i < options.repeat; ++i)
+
+  void print(std::ostream& out) const
   {
-    result = SMC::unwrap(mesh, is_cut, uv, CGAL::parameters::faithful(options.is_faithful)
-                                             .effort(options.effort)
-                                             .connection(options.connection)
-                                             .random_seed(options.seed));
-    candidates.push_back(result.cpu_seconds.candidates);
-    filter.push_back(result.cpu_seconds.filter);
-    connect.push_back(result.cpu_seconds.connect);
-    parameterize.push_back(result.cpu_seconds.parameterize);
-    total.push_back(result.cpu_seconds.total);
+    const double n = (std::max)(1, m_runs);
+    out << m_runs << " runs done, " << m_failures << " not; means: " << m_sums[0] / n << " candidates, "
+        << m_sums[1] / n << " features, L " << m_sums[2] / n << ", E " << m_sums[3] / n << "; in sum "
+        << m_sums[4] << " s without the final UVs, " << m_sums[5] << " s with them\n";
+    if(!m_cold_ratios.empty())
+      out << "total over one cold map of the final cut: median " << median(m_cold_ratios) << ", largest "
+          << *std::max_element(m_cold_ratios.begin(), m_cold_ratios.end()) << "\n";
   }
-  std::cout << file.filename().string() << ',' << (result ? "done" : result.status.message) << ','
-            << num_faces(mesh) << ',' << result.genus << ',' << result.borders << ',' << result.candidates << ','
-            << result.features << ',' << result.auxiliary << ',' << result.cut_length / result.bounding_box_diagonal
-            << ',' << result.E_iso << ',' << result.E_max << ',' << median(candidates) << ',' << median(filter) << ','
-            << median(connect) << ',' << median(parameterize) << ',' << median(total) << std::endl;
+
+private:
+  int m_runs = 0, m_failures = 0;
+  std::array<double, 6> m_sums = {};
+  std::vector<double> m_cold_ratios;
+};
+
+void run(const Pipeline_options& options)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
+#endif
+  Baseline baseline = options.baseline.empty() ? Baseline() : Baseline(options.baseline);
+  Summary summary;
+  std::cout << "file,seed,status,triangles,genus,borders,candidates,features,auxiliary,L,E,E_max,candidates_s,filter_s,"
+               "connect_s,refine_s,parameterize_s,total_s,cut_s,wall_s,memory_mb,cold_s,ratio" << std::endl;
+  for(const std::filesystem::path& file : options.files)
+  {
+    const std::string name = file.filename().string();
+    Mesh mesh;
+    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file.string(), mesh))
+    {
+      std::cerr << "cannot read " << name << "\n";
+      continue;
+    }
+    for(int seed = 0; seed < options.seeds; ++seed)
+    {
+      const Measurement measurement = measure(mesh, options, seed);
+      print(name, seed, mesh, measurement, baseline.ratio(name, measurement.cut()));
+      summary.add(measurement);
+    }
+  }
+  summary.print(std::cerr);
+  baseline.summarize(std::cerr);
 }
 
 int main(int argc, char** argv)
 {
-  const Options options = read_options(argc, argv);
-  std::set<std::filesystem::path> files; // sorted
-  for(const auto& entry : std::filesystem::directory_iterator(options.folder))
-    if(std::set<std::string>{".off", ".obj", ".ply", ".stl"}.count(entry.path().extension().string()) > 0)
-      files.insert(entry.path());
-  std::cout << "file,status,triangles,genus,borders,candidates,features,auxiliary,L,E,E_max,"
-               "candidates_s,filter_s,connect_s,parameterize_s,total_s" << std::endl;
-  for(const std::filesystem::path& file : files)
-    run(file, options);
+  try
+  {
+    Pipeline_options options = read_pipeline_options(std::vector<std::string>(argv + 1, argv + argc));
+    if(options.files.empty())
+      add_files(std::filesystem::path(CGAL::data_file_path("meshes/cow.off")).parent_path(), options.files);
+    run(options);
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << argv[0] << ": " << error.what() << "; its first lines of code say how it is called\n";
+    return EXIT_FAILURE;
+  }
   return EXIT_SUCCESS;
 }

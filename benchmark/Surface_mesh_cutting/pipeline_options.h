@@ -1,0 +1,118 @@
+// The command line of pipeline.cpp.
+
+#ifndef PIPELINE_OPTIONS_H
+#define PIPELINE_OPTIONS_H
+
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+struct Pipeline_options
+{
+  using Effort = CGAL::Surface_mesh_cutting::Effort;
+  using Connection = CGAL::Surface_mesh_cutting::Connection;
+  using Conformal_solver = CGAL::Surface_mesh_cutting::Conformal_solver;
+
+  std::vector<std::filesystem::path> files;
+  bool is_faithful = false, measures_cold_map = false;
+  Effort effort = Effort::DEFAULT;
+  std::optional<Connection> connection;
+  std::optional<Conformal_solver> conformal_solver;
+  std::optional<int> coarse_number_of_faces;
+  double maximum_distortion = std::numeric_limits<double>::infinity();
+  std::string solver = "eigen", baseline;
+  int threads = 1, seeds = 1, repetitions = 3;
+
+  // The library's defaults for what was not said.
+  Connection connection_or_default() const
+  {
+    return connection.value_or(is_faithful ? Connection::GREEDY : Connection::BEST);
+  }
+  Conformal_solver conformal_solver_or_default() const
+  {
+    return conformal_solver.value_or(is_faithful ? Conformal_solver::KP_NEWTON : Conformal_solver::SPECTRAL);
+  }
+  int coarse_number_of_faces_or_default() const
+  {
+    CGAL::Surface_mesh_cutting::internal::Cutting_parameters parameters;
+    if(!is_faithful)
+      CGAL::Surface_mesh_cutting::internal::set_effort(effort, parameters);
+    return coarse_number_of_faces.value_or(parameters.coarse_number_of_faces);
+  }
+};
+
+// A mesh file, or those of a folder, in alphabetical order.
+inline void add_files(const std::filesystem::path& path, std::vector<std::filesystem::path>& files)
+{
+  if(!std::filesystem::is_directory(path))
+  {
+    files.push_back(path);
+    return;
+  }
+  std::set<std::filesystem::path> found;
+  for(const auto& entry : std::filesystem::directory_iterator(path))
+    if(std::set<std::string>{".off", ".obj", ".ply", ".stl"}.count(entry.path().extension().string()) > 0)
+      found.insert(entry.path());
+  files.insert(files.end(), found.begin(), found.end());
+}
+
+// Throws `std::runtime_error`, or what the standard library does, if they cannot be understood.
+inline Pipeline_options read_pipeline_options(const std::vector<std::string>& words)
+{
+  using Options = Pipeline_options;
+  const std::map<std::string, Options::Effort> efforts
+    = {{"fast", Options::Effort::FAST}, {"default", Options::Effort::DEFAULT}, {"best", Options::Effort::BEST}};
+  const std::map<std::string, Options::Connection> connections
+    = {{"mst", Options::Connection::METRIC_CLOSURE}, {"sph", Options::Connection::SHORTEST_PATH_HEURISTIC},
+       {"greedy", Options::Connection::GREEDY}, {"exact", Options::Connection::EXACT},
+       {"best", Options::Connection::BEST}};
+  const std::map<std::string, Options::Conformal_solver> conformal_solvers
+    = {{"kp-newton", Options::Conformal_solver::KP_NEWTON}, {"spectral", Options::Conformal_solver::SPECTRAL}};
+
+  Options options;
+  for(std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::string& word = words[i];
+    const auto value = [&] { return words.at(++i); };
+    if(word.rfind("--", 0) != 0)
+      add_files(word, options.files);
+    else if(word == "--faithful")
+      options.is_faithful = true;
+    else if(word == "--cold-map")
+      options.measures_cold_map = true;
+    else if(word == "--effort")
+      options.effort = efforts.at(value());
+    else if(word == "--connect")
+      options.connection = connections.at(value());
+    else if(word == "--conformal")
+      options.conformal_solver = conformal_solvers.at(value());
+    else if(word == "--coarse")
+      options.coarse_number_of_faces = std::stoi(value());
+    else if(word == "--max-distortion")
+      options.maximum_distortion = std::stod(value());
+    else if(word == "--solver")
+      options.solver = value();
+    else if(word == "--threads")
+      options.threads = (std::max)(1, std::stoi(value()));
+    else if(word == "--seeds")
+      options.seeds = (std::max)(1, std::stoi(value()));
+    else if(word == "--repetitions")
+      options.repetitions = (std::max)(1, std::stoi(value()));
+    else if(word == "--baseline")
+      options.baseline = value();
+    else
+      throw std::runtime_error("unknown option " + word);
+  }
+  return options;
+}
+
+#endif // PIPELINE_OPTIONS_H
