@@ -190,13 +190,14 @@ private:
       return true;
     component.add_to(part.cut, result.cut);
     result.auxiliary += part.auxiliary;
+    for(const Trade_off& t : part.trade_offs) // of the first component: with the mandatory edges
+      result.trade_offs.push_back({result.length + t.cut_length, t.E_iso});
     result.length += part.length;
     result.lower_bound += part.lower_bound;
     result.is_optimal = result.is_optimal && part.is_optimal;
     if(m_request.needs_optimal_tree && !part.is_optimal)
       result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
                                   "the cut is not proven to be the shortest one within the budget");
-    result.trade_offs = std::move(part.trade_offs);
     if(goal == Goal::MAP)
       add_map(component, std::move(part), result);
     return true;
