@@ -67,6 +67,7 @@ class Case(unittest.TestCase):
             distance = min(max(abs(length - report["cut_length"]), abs(energy / report["E_iso"] - 1))
                            for length, energy in report["tradeoff"])
             self.assertLess(distance, 1e-6)
+        return run.returncode, report
 
     def assert_refused(self, code, *arguments):
         """The program fails with `code`, says why in a line, and writes nothing."""
