@@ -38,6 +38,10 @@ def report(record):
     return record["report"] or {}
 
 
+def kind(heading):
+    return ' class="text"' if heading in ("layout", "mesh", "outcome") else ""
+
+
 def histogram(title, values, limit, number_of_bins=30):
     """An inline SVG picture; what lies above the limit is counted in the last bin."""
     values = [value for value in values if value is not None and math.isfinite(value)]
@@ -66,9 +70,8 @@ def row(campaign, record):
     for heading, find, show in COLUMNS:
         value = find(record)
         text = "" if value is None else html.escape(show(value))
-        kind = ' class="text"' if heading == "outcome" else ""
         exact = f' data-value="{value!r}"' if isinstance(value, float) else ""
-        cells.append(f"<td{kind}{exact}>{text}</td>")
+        cells.append(f"<td{kind(heading)}{exact}>{text}</td>")
     bad = "" if record["outcome"] in PROVEN else ' class="bad"'
     words = html.escape(f"{name} {record['outcome']}".lower())
     return f'<tr{bad} data-words="{words}">{"".join(cells)}</tr>'
@@ -115,7 +118,8 @@ def main():
         + histogram("Cut length", [r.get("cut_length") for r in proven], 6.)
         + histogram("Seconds", [record["seconds"] for record in records], 60.),
         "failures": failures(campaign, records),
-        "headings": "".join(f"<th>{heading}</th>" for heading in ["layout", "mesh"] + [c[0] for c in COLUMNS]),
+        "headings": "".join(f"<th{kind(heading)}>{heading}</th>"
+                            for heading in ["layout", "mesh"] + [column[0] for column in COLUMNS]),
         "rows": "\n".join(row(campaign, record) for record in records),
     }
     text = TEMPLATE.read_text(encoding="utf-8")
