@@ -7,6 +7,7 @@ set datafile separator ","
 set terminal svg size 640,420 font "sans-serif,13" background "white"
 set output "scaling.svg"
 set logscale xy
+set format x "10^{%L}"
 set xlabel "triangles"
 set ylabel "CPU seconds"
 set grid
