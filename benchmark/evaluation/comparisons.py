@@ -85,7 +85,7 @@ def same_energy_table(setting, outcomes):
         ours, theirs = (mean(row[column] for row in own) for column in ("L", "L_rival"))
         claims.append(Claim("Section 4.2", f"bounded to the energy of {rival}, no longer cuts", "not measured",
                             f"{ours:.3f} against {theirs:.3f} on {len(own)} of {len(found)} meshes" if own else "",
-                            ours <= theirs if own else None))
+                            ours <= theirs * (1 + 1e-5) if own else None))  # theirs have six digits
     return claims
 
 
