@@ -37,6 +37,14 @@ def bipyramid(n):
     return ring + [(0, 0, 1), (0, 0, -1)], [face for fan in fans for face in fan]
 
 
+def with_patch_at_point(mesh):
+    """The neighbors of a vertex and their neighbors move to its place."""
+    patch = {0}
+    for _ in range(2):
+        patch |= {v for face in mesh[1] if patch & set(face) for v in face}
+    return [mesh[0][0] if v in patch else p for v, p in enumerate(mesh[0])], mesh[1]
+
+
 def reversed_faces(mesh):
     return mesh[0], [(a, c, b) for a, b, c in mesh[1]]
 
@@ -89,6 +97,13 @@ class Limits(Case):
             for options in OPTIONS:
                 with self.subTest(n=n, options=options):
                     self.assert_unwrapped(bipyramid(n), *options)
+
+    def test_faces_at_a_point(self):
+        for options in OPTIONS:
+            with self.subTest(options=options):
+                self.assert_unwrapped(with_patch_at_point(SPHERE), *options)
+                self.assert_unwrapped(scaled(SPHERE, 0), *options)
+                self.assert_unwrapped(joined(SPHERE, scaled(SPHERE, 0)), *options)
 
     def test_scale_does_not_matter(self):
         expected = self.assert_unwrapped(SPHERE)

@@ -182,7 +182,7 @@ inline Initial_features initialize_features(const Flat_mesh& mesh, const Edge_co
       return initial;
     }
     threshold = small.empty() ? 0 : 0.5 * threshold;
-    if(threshold < 1e-6 * average)
+    if(threshold <= 1e-6 * average)
       threshold = -1; // all are features, no disk is left
   }
 }

@@ -39,13 +39,9 @@ public:
   // each stage lies inside that of the coarser one, so that refining an injective map keeps it so.
   Chart_hierarchy(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
                   bool keeps_region = false)
-    : m_chart(chart), m_points(points), m_keeps_region(keeps_region)
-  {
-    double sum = 0;
-    for(const Triangle& t : chart.triangles())
-      sum += (points[t[1]] - points[t[0]]).norm();
-    m_minimal_edge = 1e-7 * sum / (std::max)(1., double(chart.triangles().size()));
-  }
+    : m_chart(chart), m_points(points), m_keeps_region(keeps_region),
+      m_minimal_edge(minimal_edge(chart.triangles(), points))
+  {}
 
   // Collapses down to about `size` vertices. Returns the number of vertices that are left.
   int coarsen(int size)
@@ -171,7 +167,7 @@ private:
   Collapsible_chart m_chart;
   const std::vector<Eigen::Vector3d>& m_points;
   bool m_keeps_region;
-  double m_minimal_edge = 0;
+  double m_minimal_edge;
   int m_number_of_vertices = 0;
   std::vector<int> m_fan;
   std::vector<Star_triangle> m_star;

@@ -48,9 +48,9 @@ inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
 // Of a triangle over its longest edge; an angle of about 1e-5 degrees.
 constexpr double minimal_height = 1e-7;
 
-// From the corners of a surface triangle. One edge is laid along the x axis; needles, points and
-// caps get a minimal height relative to their longest edge (and to `minimal_edge`), so that every
-// triangle can be mapped without a flip and without an infinite energy.
+// From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get a
+// minimal height relative to their longest edge, and points become equilateral with sides of
+// `minimal_edge`, so that every triangle can be mapped without a flip and without an infinite energy.
 inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                              const Eigen::Vector3d& c, double minimal_edge)
 {
@@ -60,28 +60,37 @@ inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const int k = int(std::max_element(squared_length, squared_length + 3) - squared_length);
   const Eigen::Vector3d e = *p[(k + 1) % 3] - *p[k], f = *p[(k + 2) % 3] - *p[k];
   const double length = e.norm();
-  const double base = (std::max)(length, minimal_edge);
-  const double x = length > 0 ? f.dot(e) / length : 0.5 * base;
-  const double y = length > 0 ? e.cross(f).norm() / length : 0;
+  const bool is_point = length <= minimal_edge;
+  const double base = is_point ? minimal_edge : length;
+  const double x = is_point ? 0.5 * base : f.dot(e) / length;
+  const double height = is_point ? std::sqrt(0.75) * base
+                                 : (std::max)(e.cross(f).norm() / length, minimal_height * base);
   Eigen::Vector2d q[3];
   q[k] = Eigen::Vector2d(0, 0);
   q[(k + 1) % 3] = Eigen::Vector2d(base, 0);
-  q[(k + 2) % 3] = Eigen::Vector2d(x, (std::max)(y, minimal_height * base));
+  q[(k + 2) % 3] = Eigen::Vector2d(x, height);
   return rest_shape(q[0], q[1], q[2]);
+}
+
+// The side of triangles that are points: far shorter than the mean edge, if that has a length at all.
+inline double minimal_edge(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double share = 1e-7;
+  double sum = 0;
+  for(const Triangle& t : triangles)
+    sum += (points[t[1]] - points[t[0]]).norm();
+  return sum > 0 ? share * sum / double(triangles.size()) : share;
 }
 
 // The shapes of all triangles of a surface in space.
 inline std::vector<Rest_shape> rest_shapes(const std::vector<Triangle>& triangles,
                                            const std::vector<Eigen::Vector3d>& points)
 {
-  double sum = 0;
-  for(const Triangle& t : triangles)
-    sum += (points[t[1]] - points[t[0]]).norm();
-  const double minimal_edge = 1e-7 * sum / (std::max)(1., double(triangles.size()));
+  const double shortest = minimal_edge(triangles, points);
   std::vector<Rest_shape> shapes;
   shapes.reserve(triangles.size());
   for(const Triangle& t : triangles)
-    shapes.push_back(rest_shape(points[t[0]], points[t[1]], points[t[2]], minimal_edge));
+    shapes.push_back(rest_shape(points[t[0]], points[t[1]], points[t[2]], shortest));
   return shapes;
 }
 
