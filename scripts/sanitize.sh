@@ -13,7 +13,7 @@ preset=${1:-address}
 [ $# -eq 0 ] || shift
 targets=()
 case $preset in
-  address) [ $# -gt 0 ] || set -- --label-exclude '^slow$' --exclude-regex '^(merge_checks|header|install)' ;;
+  address) [ $# -gt 0 ] || set -- --label-exclude '^slow$' --exclude-regex '^merge_check|install|readme' ;;
   thread)  targets=(--target unwrap test_steiner_tree_parallel)
            set -- --tests-regex '^(unwrap_determinism|execution___of__test_steiner_tree_parallel)$' ;;
   *)       echo "usage: $0 address|thread [options of ctest]" >&2; exit 2 ;;
