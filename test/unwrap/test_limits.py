@@ -102,8 +102,14 @@ class Limits(Case):
         for options in OPTIONS:
             with self.subTest(options=options):
                 self.assert_unwrapped(with_patch_at_point(SPHERE), *options)
-                self.assert_unwrapped(scaled(SPHERE, 0), *options)
-                self.assert_unwrapped(joined(SPHERE, scaled(SPHERE, 0)), *options)
+
+    def test_without_extent(self):
+        """There is no map to be found, but the search for one ends."""
+        for mesh in (scaled(SPHERE, 0), joined(SPHERE, scaled(SPHERE, 0))):
+            for options in OPTIONS:
+                with self.subTest(options=options):
+                    self.write("a.off", to_off(mesh))
+                    self.assertIn(self.unwrap("a.off", "-o", "out.obj", *options).returncode, (0, 5))
 
     def test_scale_does_not_matter(self):
         expected = self.assert_unwrapped(SPHERE)

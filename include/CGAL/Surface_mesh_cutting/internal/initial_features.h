@@ -151,7 +151,7 @@ inline std::vector<int> richest_part(const Flat_mesh& mesh, const Candidate_disk
 
 // Modified cut initialization (paper, Section 3.1.2): candidates with a large scope of influence are
 // features; disks keep the cut through them away from the others. `disks` is left set. Needs at
-// least two candidates, which edges that are not forbidden connect.
+// least two candidates, which edges that are not forbidden connect; the cut is empty otherwise.
 inline Initial_features initialize_features(const Flat_mesh& mesh, const Edge_constraints& constraints,
                                             std::vector<Candidate> candidates,
                                             const Cutting_parameters& parameters, Candidate_disks& disks)
@@ -181,6 +181,8 @@ inline Initial_features initialize_features(const Flat_mesh& mesh, const Edge_co
       initial.queue.insert(initial.queue.end(), small.begin(), small.end());
       return initial;
     }
+    if(threshold < 0)
+      return initial; // a surface without extent, on which all candidates are one
     threshold = small.empty() ? 0 : 0.5 * threshold;
     if(threshold <= 1e-6 * average)
       threshold = -1; // all are features, no disk is left
