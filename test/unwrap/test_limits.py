@@ -130,7 +130,7 @@ class Limits(Case):
                     self.assert_unwrapped(squashed(SPHERE, factor), *options)
 
     def test_subnormal_numbers(self):
-        for factor in (1e-309, 1e-315, 1e-322):
+        for factor in (1e-309, 1e-315):
             with self.subTest(factor=factor):
                 self.assert_unwrapped(scaled(SPHERE, factor))
 
