@@ -3,7 +3,11 @@
 #include "steiner_tree_checks.h"
 
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/steiner_tree.h>
 
+#include <boost/graph/adjacency_list.hpp>
+
+#include <iterator>
 #include <limits>
 
 double brute_force(const Core::Csr_graph& graph, const std::vector<int>& terminals)
@@ -36,6 +40,40 @@ double brute_force(const Core::Csr_graph& graph, const std::vector<int>& termina
       best = (std::min)(best, length);
   }
   return best;
+}
+
+// the public call; optimal methods have to find the optimum
+template <typename Method_tag>
+void check_call(const Core::Csr_graph& edges, const std::vector<int>& terminals, double optimum, bool is_exact)
+{
+  typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                boost::property<boost::edge_weight_t, double>> Graph;
+  Graph graph(std::size_t(edges.number_of_vertices()));
+  for(const Core::Edge& e : edges.edges)
+    add_edge(std::size_t(e.source), std::size_t(e.target), e.weight, graph);
+  std::vector<boost::graph_traits<Graph>::edge_descriptor> tree;
+  const CGAL::Steiner_tree::Result result = CGAL::steiner_tree(graph, terminals, std::back_inserter(tree),
+                                                               CGAL::parameters::algorithm(Method_tag()));
+  CHECK(bool(result) && (result.is_optimal || !is_exact));
+  double length = 0.;
+  for(const auto& e : tree)
+    length += get(boost::edge_weight, graph, e);
+  CHECK(are_equal(length, result.length));
+  CHECK(result.length >= optimum * (1. - 1e-9) && result.length <= 2. * optimum * (1. + 1e-9));
+  CHECK(!result.is_optimal || are_equal(result.length, optimum));
+}
+
+void check_all_calls(const Core::Csr_graph& graph, const std::vector<int>& terminals, double optimum)
+{
+  using namespace CGAL::Steiner_tree;
+  check_call<Metric_closure_tag>(graph, terminals, optimum, false);
+  check_call<Shortest_path_heuristic_tag>(graph, terminals, optimum, false);
+  check_call<Greedy_auxiliary_points_tag<>>(graph, terminals, optimum, false);
+  check_call<Greedy_auxiliary_points_tag<Shortest_path_heuristic_tag>>(graph, terminals, optimum, false);
+  check_call<Local_search_tag>(graph, terminals, optimum, false);
+  check_call<Dynamic_programming_tag>(graph, terminals, optimum, true);
+  check_call<Exact_tag>(graph, terminals, optimum, true);
+  check_call<Best_tag>(graph, terminals, optimum, true);
 }
 
 double random_weight(CGAL::Random& random, int kind)
@@ -76,6 +114,7 @@ int main()
     if(terminals.empty() || optimum < (std::numeric_limits<double>::infinity)()) {
       ++number_connected;
       check_all_methods(graph, terminals, terminals.empty() ? 0. : optimum);
+      check_all_calls(graph, terminals, terminals.empty() ? 0. : optimum);
     }
     else
       CHECK(solve(graph, terminals, Core::Method::exact).outcome == Core::Outcome::terminals_not_connected);
