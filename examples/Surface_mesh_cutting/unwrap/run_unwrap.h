@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// The names that `--solver` takes. The last one is the default.
+// The names that `--solver` takes. The first one is the default.
 std::vector<std::string> available_solvers();
 
 // How many threads can run at a time; 1 if the program was built without TBB.
