@@ -7,6 +7,8 @@
 // (on meshes of up to 5000 vertices), and the ratio; the time; and, for genus up to 5, the time on
 // the mesh divided evenly into at least 100,000 triangles.
 
+#include "mesh_files.h"
+
 #include <CGAL/Surface_mesh_cutting/cut_handles.h>
 #include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
 
@@ -16,7 +18,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -117,17 +118,9 @@ void measure(const std::filesystem::path& file)
 
 int main(int argc, char** argv)
 {
-  const std::filesystem::path folder = argc > 1 ? argv[1] : CGAL::data_file_path("meshes");
-  std::vector<std::filesystem::path> files;
-  for(int i = 2; i < argc; ++i)
-    files.push_back(folder / argv[i]);
-  if(files.empty() && std::filesystem::is_directory(folder))
-    for(const auto& entry : std::filesystem::directory_iterator(folder))
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
   std::cout << "file,vertices,faces,genus,length,exhaustive_length,ratio,seconds,"
                "subdivided_faces,subdivided_seconds\n";
-  for(const std::filesystem::path& file : files)
+  for(const std::filesystem::path& file : mesh_files(argc, argv))
     measure(file);
   return EXIT_SUCCESS;
 }

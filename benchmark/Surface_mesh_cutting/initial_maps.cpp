@@ -7,6 +7,8 @@
 // chart is free of flips in floating point; and from which stage of the hierarchy, by its number of vertices, a map
 // of the whole chart was reached (0: from none). Surfaces with handles have only the final cut.
 
+#include "mesh_files.h"
+
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/candidates.h>
@@ -16,7 +18,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -111,17 +112,9 @@ void print(const char* name, const Counts& c)
 
 int main(int argc, char** argv)
 {
-  const std::filesystem::path folder = argc > 1 ? argv[1] : CGAL::data_file_path("meshes");
-  std::vector<std::filesystem::path> files;
-  for(int i = 2; i < argc; ++i)
-    files.push_back(folder / argv[i]);
-  if(files.empty() && std::filesystem::is_directory(folder))
-    for(const auto& entry : std::filesystem::directory_iterator(folder))
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
   Counts path_counts, final_counts;
   std::cout << "file,cut,triangles,spectral_flips,repaired,tutte,stage\n";
-  for(const std::filesystem::path& file : files)
+  for(const std::filesystem::path& file : mesh_files(argc, argv))
     measure(file, path_counts, final_counts);
   print("one path", path_counts);
   print("final cut", final_counts);

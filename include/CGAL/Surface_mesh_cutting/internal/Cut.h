@@ -35,6 +35,15 @@ inline double cut_length(const Flat_mesh& mesh, const Cut& cut)
   return length;
 }
 
+// Of a path or any other set of edges.
+inline double total_length(const Flat_mesh& mesh, const std::vector<int>& edges)
+{
+  double length = 0;
+  for(int e : edges)
+    length += mesh.length(e);
+  return length;
+}
+
 // The lower halfedge of each marked edge.
 inline std::vector<int> cut_halfedges(const Flat_mesh& mesh, const Cut& cut)
 {

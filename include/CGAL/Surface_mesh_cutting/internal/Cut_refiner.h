@@ -231,6 +231,7 @@ private:
     for(int v : m_terminals)
       is_kept[v] = 1;
     const std::vector<double> gaps = m_map.gaps();
+    const std::size_t open_edges = number_of_open_edges();
     Move best;
     for(const Leaf_branch& branch : leaf_branches(m_mesh, m_map.cut(), is_end))
     {
@@ -239,7 +240,8 @@ private:
       for(std::size_t size = branch.edges.size(); size > 0; size /= 2)
       {
         const Move move = make_move(branch, size, gaps);
-        if(!rejected.count({move.tip, move.new_tip}) && leaves_a_disk(size))
+        const bool leaves_a_disk = open_edges >= size + 2; // it takes two open edges on a closed surface
+        if(leaves_a_disk && !rejected.count({move.tip, move.new_tip}))
         {
           if(best.tip < 0 || move.cost_per_length() < best.cost_per_length())
             best = move;
@@ -265,14 +267,12 @@ private:
     return move;
   }
 
-  // On a closed surface, two edges at least have to stay open.
-  bool leaves_a_disk(std::size_t number_of_closed_edges) const
+  std::size_t number_of_open_edges() const
   {
-    const Cut& cut = m_map.cut();
-    std::size_t open = 0;
-    for(int e = 0; e < m_mesh.number_of_edges() && open < number_of_closed_edges + 2; ++e)
-      open += cut[e] || m_mesh.is_border_edge(e);
-    return open >= number_of_closed_edges + 2;
+    std::size_t count = 0;
+    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
+      count += m_map.cut()[e] || m_mesh.is_border_edge(e);
+    return count;
   }
 
   bool take(const Move& move, const Refinement_limits& limits)

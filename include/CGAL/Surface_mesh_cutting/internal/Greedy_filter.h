@@ -131,7 +131,7 @@ private:
       m_features.push_back(v);
       for(int e : path)
         mark_on_cut(e);
-      m_trade_offs.push_back({m_trade_offs.back().cut_length + length(path), m_map.energy()});
+      m_trade_offs.push_back({m_trade_offs.back().cut_length + total_length(m_mesh, path), m_map.energy()});
     }
   }
 
@@ -140,15 +140,8 @@ private:
   // A slit has to lower the energy by epsilon_iso (paper, Section 3.1.2), a long one by more.
   double least_gain(const std::vector<int>& slit) const
   {
-    return (std::max)(m_parameters.minimum_distortion_decrease, m_parameters.decrease_per_length * length(slit));
-  }
-
-  double length(const std::vector<int>& slit) const
-  {
-    double sum = 0;
-    for(int e : slit)
-      sum += m_mesh.length(e);
-    return sum;
+    return (std::max)(m_parameters.minimum_distortion_decrease,
+                      m_parameters.decrease_per_length * total_length(m_mesh, slit));
   }
 
   // The shortest path from `v` to the cut over the edges of the given faces (none given: all).

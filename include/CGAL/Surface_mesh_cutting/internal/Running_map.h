@@ -102,7 +102,7 @@ public:
   {
     const Trial trial = begin(slit);
     constexpr int number_of_radii = 3;
-    double radius = 2 * length(slit);
+    double radius = 2 * total_length(m_mesh, slit);
     bool is_small = false;
     for(int i = 0; i < number_of_radii && !is_small; ++i, radius /= 2)
       is_small = collect_window(slit, radius);
@@ -170,14 +170,6 @@ private:
     m_state.uv = trial.former_uv;
   }
 
-  double length(const std::vector<int>& slit) const
-  {
-    double sum = 0;
-    for(int e : slit)
-      sum += m_mesh.length(e);
-    return sum;
-  }
-
   // Far from the optimum, which a slit that changes much can leave the map, starting anew through
   // the hierarchy takes fewer solves than going on.
   void converge()
@@ -222,7 +214,7 @@ private:
     double gain = 0;
     for(const Window& window : windows)
     {
-      if(!collect_window(slit, window.radius * length(slit)))
+      if(!collect_window(slit, window.radius * total_length(m_mesh, slit)))
         break;
       gain += solve_window(threshold, gain);
       if(gain > threshold || m_control.is_stopped())

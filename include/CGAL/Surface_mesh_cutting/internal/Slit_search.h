@@ -96,8 +96,7 @@ private:
     Slit slit;
     slit.tip = v;
     m_paths.path(v, std::back_inserter(slit.edges));
-    for(int e : slit.edges)
-      slit.length += m_mesh.length(e);
+    slit.length = total_length(m_mesh, slit.edges);
     return slit;
   }
 

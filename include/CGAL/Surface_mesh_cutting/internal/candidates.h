@@ -195,10 +195,10 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
 {
   constexpr double shrinking = 0.9, useful_length = 0.1;
   Shortest_paths from_centers(mesh.graph());
-  double first_length = 0, area = 0;
+  const double first_length = total_length(mesh, first_cut);
+  double area = 0;
   for(int e : first_cut)
   {
-    first_length += mesh.length(e);
     from_centers.add_source(mesh.source(mesh.halfedge(e)));
     from_centers.add_source(mesh.target(mesh.halfedge(e)));
   }
@@ -218,10 +218,7 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
       const int start = mesh.triangles()[std::find(is_in_part.begin(), is_in_part.end(), char(1))
                                          - is_in_part.begin()][0];
       const std::vector<int> path = farthest_pair_path(mesh, start, edges_of_faces(mesh, is_in_part));
-      double length = 0;
-      for(int e : path)
-        length += mesh.length(e);
-      if((path.size() > 1 && length >= useful_length * first_length) || radius == 0)
+      if((path.size() > 1 && total_length(mesh, path) >= useful_length * first_length) || radius == 0)
         return path;
     }
     radius = radius > 0.01 * average ? shrinking * radius : 0;
