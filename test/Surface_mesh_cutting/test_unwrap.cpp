@@ -9,9 +9,11 @@
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
 #include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -226,6 +228,22 @@ void test_scales()
   check(energies[0] == energies[1] && energies[0] == energies[2], "energy does not depend on the scale");
 }
 
+// On a squashed mesh, all of whose faces are needles, a tree that connects the features in another way than the
+// filter did may leave orders of magnitude more distortion.
+void test_squashed()
+{
+  test::Surface_mesh mesh;
+  check(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/pipe.off"), mesh), "pipe.off is there");
+  for(auto v : vertices(mesh))
+    mesh.point(v) = {1e-8 * mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+  Maps<test::Surface_mesh> maps(mesh);
+  const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::effort(SMC::Effort::FAST));
+  double lowest = std::numeric_limits<double>::infinity();
+  for(const SMC::Trade_off& t : result.trade_offs)
+    lowest = (std::min)(lowest, t.E_iso);
+  check(result && result.E_iso < 2.01 * lowest, "connecting keeps what filtering gained");
+}
+
 void test_methods()
 {
   test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(bumpy_sphere(10));
@@ -309,6 +327,7 @@ int main()
   test_topologies();
   test_bijective();
   test_scales();
+  test_squashed();
   test_methods();
   test_refusals();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

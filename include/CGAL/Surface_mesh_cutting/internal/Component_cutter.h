@@ -70,7 +70,7 @@ public:
     Component_result result;
     result.status = cut_handles_of(m_fine);
     if(result.status)
-      result.features = find_features(0, result);
+      result.features = find_features(0, result).features;
     return result;
   }
 
@@ -132,14 +132,16 @@ private:
   Component_result run_from(int start, bool needs_map)
   {
     Component_result result;
-    std::vector<int> features = find_features(start, result);
+    Detected_features detected = find_features(start, result);
     if(!result.status)
       return result;
     Refiner refiner = make_refiner(m_fine);
-    if(!connect(refiner, std::move(features), result) || !(needs_map || refines(m_fine)))
+    if(!connect(refiner, std::move(detected.features), result) || !(needs_map || refines(m_fine)))
       return result;
     if(!map(refiner, result))
       return result;
+    if(refiner.chart().energy > m_energy_to_regain && !m_initial.is_given() && !is_coarsened())
+      refiner.take(std::move(detected.chart));
     refine_and_parameterize(refiner, result);
     result.add(refiner.trade_offs());
     result.keep_undominated_trade_offs();
@@ -166,12 +168,12 @@ private:
            (m_parameters.number_of_shortening_solves > 0 && !(is_coarsened() && &resolution == &m_fine));
   }
 
-  std::vector<int> find_features(int start, Component_result& result)
+  Detected_features find_features(int start, Component_result& result)
   {
     return is_coarsened() ? find_features_on_coarse_mesh(start, result) : find_features_of(m_fine, start, result);
   }
 
-  std::vector<int> find_features_of(const Resolution& resolution, int start, Component_result& result)
+  Detected_features find_features_of(const Resolution& resolution, int start, Component_result& result)
   {
     Detected_features detected
       = Feature_detector<LinearSolver, ConcurrencyTag>(resolution.mesh, resolution.shapes, m_is_sphere,
@@ -180,14 +182,16 @@ private:
     result.status = detected.status;
     result.candidates = detected.number_of_candidates;
     result.add(detected.trade_offs);
-    if(m_initial.is_given() && !detected.trade_offs.empty())
-      m_initial_energy = detected.trade_offs.front().E_iso;
-    return std::move(detected.features);
+    if(!detected.trade_offs.empty())
+      m_energy_to_regain = m_initial.is_given()
+                           ? detected.trade_offs.front().E_iso + m_parameters.minimum_distortion_decrease
+                           : 2 * detected.trade_offs.back().E_iso;
+    return detected;
   }
 
   // Constraints hold on the surface itself: they do not matter here, but what they make unreachable is
   // dropped in the end. Refinement is done here, too, where it is cheap.
-  std::vector<int> find_features_on_coarse_mesh(int start, Component_result& result)
+  Detected_features find_features_on_coarse_mesh(int start, Component_result& result)
   {
     const Coarse_mesh coarse = [&]
     {
@@ -198,7 +202,7 @@ private:
     result.status = cut_handles_of(resolution);
     if(!result.status)
       return {};
-    std::vector<int> features = find_features_of(resolution, start, result);
+    std::vector<int> features = find_features_of(resolution, start, result).features;
     if(result.status && refines(resolution))
     {
       const Phase_clock::Measurement measurement(m_clock, Phase::REFINE);
@@ -212,7 +216,9 @@ private:
       if(m_control.is_stopped())
         result.status = failure(m_control);
     }
-    return lifted(coarse, features);
+    Detected_features lifted_features;
+    lifted_features.features = lifted(coarse, features);
+    return lifted_features;
   }
 
   std::vector<int> lifted(const Coarse_mesh& coarse, const std::vector<int>& features) const
@@ -280,7 +286,7 @@ private:
 
   void refine_and_parameterize(Refiner& refiner, double bound, int number_of_solves, Component_result& result)
   {
-    if(refines(m_fine))
+    if(refines(m_fine) || refiner.chart().energy > m_energy_to_regain)
     {
       const Phase_clock::Measurement measurement(m_clock, Phase::REFINE);
       m_control.report(Phase::REFINE, 0);
@@ -317,7 +323,7 @@ private:
   }
 
   // Lowers the energy to the bound if there is one, then shortens. Without a bound, what the tree
-  // through the ends and forks of a given cut loses against that cut is gained back where it pays.
+  // through the features loses against the filter's cut, or a given one, is gained back where it pays.
   void refine(Refiner& refiner, int number_of_solves, double bound)
   {
     Refinement_limits limits;
@@ -329,9 +335,7 @@ private:
     }
     else
     {
-      if(m_initial.is_given())
-        refiner.lower_to(m_initial_energy + m_parameters.minimum_distortion_decrease,
-                         m_parameters.decrease_per_length);
+      refiner.lower_to(m_energy_to_regain, m_parameters.decrease_per_length);
       limits.energy = refiner.chart().energy + m_parameters.minimum_distortion_decrease;
       limits.energy_per_length = m_parameters.decrease_per_length;
     }
@@ -370,7 +374,9 @@ private:
   Phase_clock& m_clock;
   Resolution m_fine;
   const Initial_cut m_initial;
-  double m_initial_energy = std::numeric_limits<double>::infinity(); // of the surface opened along it
+  // What connecting may leave: about the energy of a given cut, or twice that of the filter's, which is
+  // exceeded on needles, by orders of magnitude.
+  double m_energy_to_regain = std::numeric_limits<double>::infinity();
 };
 
 } // namespace internal

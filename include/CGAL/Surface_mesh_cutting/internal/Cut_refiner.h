@@ -82,6 +82,14 @@ public:
     return true;
   }
 
+  // Takes another cut through the features, and its map, instead of the tree.
+  void take(Open_chart chart)
+  {
+    m_length = cut_length(m_mesh, chart.cut);
+    m_map.restore(std::move(chart));
+    record();
+  }
+
   const std::vector<int>& features() const { return m_features; }
   // The tree through the features. What is refined may differ from it.
   const Connected_cut& tree() const { return m_tree; }

@@ -43,6 +43,7 @@ struct Detected_features
   Flat_status status;
   int number_of_candidates = 0;
   std::vector<int> features; // sorted, with the terminals
+  Open_chart chart;          // opened along the paths that led to them
   std::vector<Trade_off> trade_offs;
 };
 
@@ -120,6 +121,7 @@ private:
     if(m_initial.is_given())
       add(ends_and_forks(m_mesh, opening), result.features);
     add(m_terminals, result.features);
+    result.chart = filter.map().state();
     result.trade_offs = filter.trade_offs();
   }
 

@@ -194,11 +194,12 @@ private:
     m_state.energy = result.energy;
   }
 
-  // The energy has to be known far better than epsilon_iso, not better.
+  // The energy has to be known far better than epsilon_iso, not better: what the last step leaves is
+  // far less than the decrement before it.
   Newton_options options()
   {
     Newton_options o;
-    o.decrement = 1e-5;
+    o.decrement = 1e-4;
     o.stop = [this](const Newton_state&) { return !m_control.go_further(); };
     return o;
   }

@@ -68,7 +68,7 @@ bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
     return control.go_further();
   Chart_parameterizer<LinearSolver> parameterizer(chart, points, shapes);
   Newton_options options;
-  options.decrement = 1e-5;
+  options.decrement = 1e-4; // where the map is distorted shows long before
   options.stop = [&](const auto&) { return !control.go_further(); };
   return parameterizer.conformal_map(uv, options).outcome != Newton_outcome::FAILED && !control.is_stopped();
 }
