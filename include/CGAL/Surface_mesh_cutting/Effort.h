@@ -22,7 +22,7 @@ namespace Surface_mesh_cutting {
 /// how much work is put into a short cut; passed by the named parameter `effort`.
 enum class Effort
 {
-  FAST,    ///< no more than feature points and the tree through them
+  FAST,    ///< no more than feature points and the tree through them, unless `maximum_distortion` asks for more
   DEFAULT, ///< then a few attempts to shorten the cut at about the same distortion
   BEST     ///< several starts at full resolution and many such attempts, the best result is kept
 };
@@ -35,7 +35,7 @@ enum class Connection
 {
   METRIC_CLOSURE,          ///< the minimum spanning tree of the shortest paths between all points
   SHORTEST_PATH_HEURISTIC, ///< grows a tree by the path to the nearest point outside
-  GREEDY,                  ///< the paper's auxiliary points, one by one
+  GREEDY,                  ///< auxiliary points, added one by one; then exchanged, except with `faithful(true)`
   EXACT,                   ///< the shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget
   BEST                     ///< the shortest tree within a budget, else the best one found and a lower bound
 };

@@ -60,7 +60,8 @@ struct Cut_result
 
   /// what other cuts of the run offer, from short to long: the sequence of cuts that the run went through, without
   /// those that are neither shorter nor less distorted than another one. On meshes that are coarsened for the
-  /// detection, all but the last are measured on the coarser version. Empty for several components.
+  /// detection, all but the last are measured on the coarser version. Empty for several components, and where
+  /// constrained edges separate the surface.
   std::vector<Trade_off> trade_offs;
 
   Phase_times seconds;     ///< wall time.

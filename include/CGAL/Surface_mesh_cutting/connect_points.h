@@ -100,7 +100,7 @@ struct Connection_result
 ///   \cgalParamNBegin{connection}
 ///     \cgalParamDescription{how the points are connected}
 ///     \cgalParamType{`Surface_mesh_cutting::Connection`}
-///     \cgalParamDefault{`Connection::BEST`}
+///     \cgalParamDefault{`Connection::BEST`, and `Connection::GREEDY` with `faithful(true)`}
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{edge_weight_map}
@@ -115,9 +115,16 @@ struct Connection_result
 ///   \cgalParamNBegin{minimum_length_decrease}
 ///     \cgalParamDescription{by how much an auxiliary point must shorten the cut to be added, as a
 ///                           fraction of the length of the bounding box diagonal. Used by
-///                           `Connection::GREEDY` only.}
+///                           `Connection::GREEDY` with `faithful(true)` only.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.01`}
+///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{faithful}
+///     \cgalParamDescription{whether to connect as the paper does: greedily, and without exchanging
+///                           auxiliary points in the end}
+///     \cgalParamType{Boolean}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{maximum_number_of_states}
@@ -157,10 +164,10 @@ struct Connection_result
 ///         necessary; `Status_code::INFEASIBLE_CONSTRAINTS` with edges that are constrained and
 ///         forbidden, the forbidden edges that keep a part from becoming a disk, or the vertices
 ///         that only such edges lead to; `Status_code::WRONG_PARAMETER` with the edges of
-///         invalid weight or the faces of a closed part with less than two of the points; or, for
-///         a surface that the package does not take, `Status_code::EMPTY_MESH`,
-///         `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
-///         `Status_code::INVALID_POINT`.
+///         invalid weight or the faces of a closed part with less than two of the points, or where
+///         another parameter is out of its range; or, for a surface that the package does not take,
+///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
+///         or `Status_code::INVALID_POINT`.
 ///
 /// \sa `CGAL::steiner_tree()`
 /// \sa `cut_handles()`

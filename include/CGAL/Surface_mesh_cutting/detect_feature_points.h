@@ -56,10 +56,10 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`0.15`, and `0` with `faithful(true)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{coarse_number_of_faces}
-///     \cgalParamDescription{the size of a component above which its feature points are found on a coarser version of about this size; `0`: never}
+///     \cgalParamDescription{the number of faces of the coarser version on which feature points are found; components of up to 5/4 as many faces are not coarsened, and none is with `0`}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`5000`, and `0` with `Effort::BEST` or `faithful(true)`}
-///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected}
+///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected. A component with an initial cut is not coarsened}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_area_ratio}
 ///     \cgalParamDescription{the share of the area that must lie far from the first cut and its maximizers, \f$ \alpha \f$}
@@ -77,7 +77,7 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`10`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{faithful}
-///     \cgalParamDescription{whether to stay with the paper to the letter: only local maximizers of the proxy metric are candidates, and the points are connected greedily}
+///     \cgalParamDescription{whether to stay with the paper to the letter: no coarser version, conformal maps by Newton's method, only local maximizers of the proxy metric as candidates, points connected greedily, and no shortening. `effort` has no effect then}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

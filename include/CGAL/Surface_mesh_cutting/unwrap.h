@@ -70,15 +70,16 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamExtra{if no cut is found that keeps it, the status is `Status_code::BOUND_NOT_REACHED`, and the result is the best one found}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{coarse_number_of_faces}
-///     \cgalParamDescription{the size of a component above which its feature points are found on a coarser version of about this size; `0`: never}
+///     \cgalParamDescription{the number of faces of the coarser version on which feature points are found; components of up to 5/4 as many faces are not coarsened, and none is with `0`}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`5000`, and `0` with `Effort::BEST` or `faithful(true)`}
-///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected}
+///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected. A component with an initial cut is not coarsened}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_length_decrease}
 ///     \cgalParamDescription{the decrease of the cut length that an auxiliary point must bring when the points are connected greedily, as a fraction of the length of the bounding box diagonal, \f$ \varepsilon_{len} \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.01`}
+///     \cgalParamExtra{used by `Connection::GREEDY` with `faithful(true)` only}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_area_ratio}
 ///     \cgalParamDescription{the share of the area that must lie far from the first cut and its maximizers, \f$ \alpha \f$}
@@ -96,7 +97,7 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`10`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{faithful}
-///     \cgalParamDescription{whether to stay with the paper to the letter: only local maximizers of the proxy metric are candidates, and the points are connected greedily}
+///     \cgalParamDescription{whether to stay with the paper to the letter: no coarser version, conformal maps by Newton's method, only local maximizers of the proxy metric as candidates, points connected greedily, and no shortening. `effort` has no effect then}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -182,8 +183,8 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was found. Its `status` is that of `greedy_cut()`, or `Status_code::NOT_CERTIFIED` if the
-///         map does not pass the exact check.
+/// \return what was found. Its `status` is that of `greedy_cut()`, or `Status_code::NOT_CUT_TO_DISKS` or
+///         `Status_code::NOT_CERTIFIED` if the result does not pass the exact check.
 ///
 /// \sa `greedy_cut()`
 /// \sa `certify_unwrap()`

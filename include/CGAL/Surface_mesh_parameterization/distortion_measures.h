@@ -127,10 +127,9 @@ double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
 /// computes the conformal distortion of a map from a surface to the plane: for each face the MIPS
-/// energy
-/// \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. It is 1 for a similarity,
-/// larger otherwise, and infinite where the image is not counterclockwise. Linear in the number of
-/// faces.
+/// energy \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. It is 1 for a
+/// similarity, larger otherwise, and infinite where the image is not counterclockwise. Linear in the
+/// number of faces.
 ///
 /// A degenerate face is given a small height, so that its energy is defined.
 ///
@@ -179,9 +178,38 @@ double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_
 /// computes the isometric distortion of a map from a surface to the plane: for each face the
 /// symmetric Dirichlet energy \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ of its Jacobian \f$ J \f$. It is 4
 /// for a rigid motion, larger otherwise, and infinite where the image is not counterclockwise.
+/// It depends on the scale of the UVs, see `best_isometric_scale()`. Linear in the number of faces.
 ///
-/// The energy depends on the scale of the UVs, see `best_isometric_scale()`. Parameters, complexity
-/// and the treatment of degenerate faces are those of `compute_MIPS_energy()`.
+/// A degenerate face is given a small height, so that its energy is defined.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as
+///         value type
+/// \tparam FaceEnergyMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value
+///         type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface
+/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+///        of `face(h, tmesh)` at `target(h, tmesh)`
+/// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the
+///        average is of interest.
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+///                    `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \pre `is_triangle_mesh(tmesh)`
 ///
 /// \return the average of the energy over the area of the surface
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceEnergyMap,
@@ -199,9 +227,31 @@ double compute_symmetric_Dirichlet_energy(const TriangleMesh& tmesh, HalfedgeUVM
 /// computes the factor that all UVs have to be multiplied with, so that the average symmetric
 /// Dirichlet energy of the map becomes as small as possible:
 /// \f$ \left( \sum_i a_i \|J_i^{-1}\|_F^2 \,/ \sum_i a_i \|J_i\|_F^2 \right)^{1/4} \f$ for faces of
-///        area
-/// \f$ a_i \f$. Parameters and complexity are those of `compute_MIPS_energy()`, without the map of
-///        energies.
+/// area \f$ a_i \f$. Linear in the number of faces.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as
+///         value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface
+/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+///        of `face(h, tmesh)` at `target(h, tmesh)`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+///        listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+///                    `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \pre `is_triangle_mesh(tmesh)`
 ///
 /// \return the factor; it has no meaning if a face is not mapped to a counterclockwise triangle.
 template <typename TriangleMesh, typename HalfedgeUVMap,

@@ -41,7 +41,7 @@ namespace Steiner_tree {
 /// @{
 
 /// the minimum spanning tree of the metric closure of the terminals (Kou, Markowsky and Berman): at most twice
-/// as long as the shortest tree. \f$ O(m + n \log n) \f$
+/// as long as the shortest tree. \f$ O((m + n) \log n) \f$ time and \f$ O(m + n) \f$ memory
 struct Metric_closure_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -51,7 +51,8 @@ struct Metric_closure_tag
 };
 
 /// grows a tree from the nearest pair of terminals, always by a shortest path to the nearest terminal outside
-/// (Takahashi and Matsuyama): at most twice as long as the shortest tree. \f$ O(k (m + n \log n)) \f$
+/// (Takahashi and Matsuyama): at most twice as long as the shortest tree. \f$ O(k (m + n) \log n) \f$ time and
+/// \f$ O(m + n) \f$ memory
 struct Shortest_path_heuristic_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -62,7 +63,7 @@ struct Shortest_path_heuristic_tag
 
 /// adds auxiliary points one by one, each time the one that shortens the minimum spanning tree of the metric
 /// closure most, until none shortens it by more than `minimum_length_decrease`; then connects all points.
-/// \f$ O((k + a) (m + n \log n) + a (k + a) n) \f$ time for \f$ a \f$ auxiliary points and \f$ O((k + a) n) \f$ memory
+/// \f$ O((k + a) (m + n) \log n + a (k + a) n) \f$ time for \f$ a \f$ auxiliary points and \f$ O(m + (k + a) n) \f$ memory
 /// \tparam ConnectionTag how the points are connected in the end: `Metric_closure_tag` or
 ///         `Shortest_path_heuristic_tag`
 template <typename ConnectionTag = Metric_closure_tag>
@@ -79,7 +80,7 @@ struct Greedy_auxiliary_points_tag
 
 /// greedy insertion of auxiliary points, however little they shorten the tree, and then local search: points are
 /// removed and others inserted as long as that shortens the tree. Much nearer to a shortest tree than the
-/// other heuristics, at a few times the cost of `Greedy_auxiliary_points_tag`
+/// other heuristics, at a few times the cost of `Greedy_auxiliary_points_tag` and with as much memory
 struct Local_search_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -89,7 +90,7 @@ struct Local_search_tag
 };
 
 /// the textbook dynamic programme over subsets of the terminals, for reference: exact,
-/// \f$ O(3^k n + 2^k (m + n \log n)) \f$ time and \f$ O(2^k n) \f$ memory. Without a result if `maximum_number_of_states`
+/// \f$ O(3^k n + 2^k (m + n) \log n) \f$ time and \f$ O(2^k n) \f$ memory. Without a result if `maximum_number_of_states`
 /// is less than \f$ 2^{k-1} n \f$
 struct Dynamic_programming_tag
 {
@@ -174,7 +175,7 @@ integers, if none is shorter).
 
 With \f$ n \f$ vertices, \f$ m \f$ edges, and \f$ k \f$ terminals, the methods take the time and memory given with their tags.
 The exact method needs time exponential in \f$ k \f$ in the worst case, yet tens of terminals are usually feasible on
-graphs of surfaces. At most `maximum_number_of_states` is a bound of its memory (about 50 bytes per state).
+graphs of surfaces. `maximum_number_of_states` bounds its memory (about 50 bytes per state).
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
@@ -213,15 +214,15 @@ graphs of surfaces. At most `maximum_number_of_states` is a bound of its memory 
   \cgalParamNBegin{minimum_length_decrease}
     \cgalParamDescription{by how much an auxiliary point must shorten the tree to be added, as a length. Used by
                           `CGAL::Steiner_tree::Greedy_auxiliary_points_tag` only.}
-    \cgalParamType{double}
-    \cgalParamDefault{0}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0`}
   \cgalParamNEnd
 
   \cgalParamNBegin{maximum_number_of_states}
     \cgalParamDescription{the number of states after which the dynamic programme gives up. Counting states rather
                           than time makes the result the same on every run.}
     \cgalParamType{`std::size_t`}
-    \cgalParamDefault{20000000}
+    \cgalParamDefault{`20000000`}
   \cgalParamNEnd
 
   \cgalParamNBegin{visitor}
