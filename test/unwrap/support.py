@@ -1,6 +1,6 @@
 """What the tests of the program unwrap share: running it, and meshes in all formats.
 
-Every test file is called with the program and a folder of meshes as arguments."""
+Every test file is called with the program and a folder of meshes as arguments; the latter may be empty."""
 
 import json
 import os

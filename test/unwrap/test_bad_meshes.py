@@ -51,6 +51,6 @@ class Bad_meshes(Case):
 
 
 if not (MESH_DIR / "MANIFEST.csv").is_file():
-    print(f"no meshes in {MESH_DIR}")
+    print("SURFACE_MESH_CUTTING_MESH_DIR is not the folder of these meshes")
     sys.exit(77)
 main()
