@@ -121,7 +121,7 @@ void add_method_options(CLI::App& app, Options& options)
   app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
   app.add_option("--connect", options.connect,
                  "How the feature points are connected: minimum spanning tree,\nshortest path heuristic, "
-                 "auxiliary points one by one,\nproven shortest, or the best within a budget")
+                 "auxiliary points added and exchanged\n(with --faithful only added), proven shortest, or the\nbest within a budget")
     ->check(CLI::IsMember({"mst", "sph", "greedy", "exact", "best"}))
     ->default_str("best; greedy if --faithful")->group(group);
   app.add_flag("--bijective", options.is_bijective, "No part of the layout lies on top of another one")
@@ -134,7 +134,7 @@ void add_method_options(CLI::App& app, Options& options)
                      "Decrease of the mean energy that makes a point worth a cut", 0, largest)
     ->type_name("X")->default_str("0.01")->group(group);
   add_number<double>(app, "--eps-len", options.eps_len,
-                     "Decrease of the length that makes an auxiliary point\nworth it (greedy), "
+                     "Decrease of the length that makes an auxiliary point\nworth it (greedy, --faithful), "
                      "in bounding box diagonals", 0, largest)
     ->type_name("X")->default_str("0.01")->group(group);
   add_number<double>(app, "--alpha", options.alpha,
