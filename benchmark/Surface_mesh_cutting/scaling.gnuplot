@@ -2,10 +2,10 @@
 #
 #   gnuplot -e "file='sizes.csv'" scaling.gnuplot
 #
-# Writes scaling.svg. The exponents are fitted between 10,000 and 1,000,000 triangles.
+# Writes scaling.png, a figure of the manual. The exponents are fitted between 10,000 and 1,000,000 triangles.
 set datafile separator ","
-set terminal svg size 640,420 font "sans-serif,13" background "white"
-set output "scaling.svg"
+set terminal pngcairo size 640,420 font "sans-serif,10" background "white"
+set output "scaling.png"
 set logscale xy
 set format x "10^{%L}"
 set xlabel "triangles"

@@ -187,7 +187,7 @@ def shown_examples(root):
 
 
 def figures(root):
-    """every figure of the manual exists, is small, is shown, and has a line in the script that makes it"""
+    """every figure that the manual shows exists and is small, and every figure is shown"""
     folder = root / "doc/Surface_mesh_cutting/fig"
     text = "".join(read(root / name) for name in files(root, "doc") if name.suffix == ".txt")
     shown = set(re.findall(r"\\cgalFigureBegin\{\w+, *([^}]+)\}", text))
