@@ -58,8 +58,7 @@ int main(int argc, char** argv)
       const Edge_graph mesh = read_edge_graph(std::string(argv[1]) + "/" + argv[i]);
       for(unsigned int seed = 0; seed < 70; ++seed) {
         CGAL::Random random(seed);
-        const int k = 4 + int(seed) % 7;
-        const std::vector<int> terminals = random_terminals(mesh.graph, k, random);
+        const std::vector<int> terminals = random_terminals(mesh.graph, 4 + int(seed) % 7, random);
         double lengths[count], times[count];
         Core::Solution solution;
         for(int m = 0; m < count; ++m) {
@@ -72,7 +71,7 @@ int main(int argc, char** argv)
           lengths[m] = solution.tree.length;
           seconds[m].values.push_back(times[m]);
         }
-        std::cout << argv[i] << "," << mesh.graph.number_of_vertices() << "," << k << "," << seed << ","
+        std::cout << argv[i] << "," << mesh.graph.number_of_vertices() << "," << terminals.size() << "," << seed << ","
                   << solution.is_optimal << "," << solution.lower_bound;
         for(int m = 0; m < count; ++m) {
           const double ratio = lengths[m] / lengths[best];

@@ -45,10 +45,14 @@ inline Edge_graph read_edge_graph(const std::string& file)
                     std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) + std::pow(box.z_span(), 2))};
 }
 
-// k different vertices that have edges
+// k different vertices that have edges, or all of them if there are not as many
 inline std::vector<int> random_terminals(const CGAL::internal::Steiner_tree::Csr_graph& graph, int k,
                                          CGAL::Random& random)
 {
+  int number = 0;
+  for(int v = 0; v < graph.number_of_vertices(); ++v)
+    number += graph.degree(v) > 0;
+  k = (std::min)(k, number);
   std::vector<char> is_taken(graph.number_of_vertices(), 0);
   std::vector<int> terminals;
   while(int(terminals.size()) < k) {
