@@ -4,13 +4,15 @@
   campaign.py create CAMPAIGN PROGRAM MESHES... [--shards N] [--options '...'] [limits]
   campaign.py work CAMPAIGN SHARD
   campaign.py status CAMPAIGN
+  campaign.py shards CAMPAIGN
 
 A campaign is a folder that all machines see: what is to be run (campaign.json), and per shard the
 records of benchmark/corpus/run_mesh.py, one line per mesh. Working on a shard runs each of its meshes
 that has no record yet, one process each, so whatever was interrupted is repeated by working on the
 shard again. A shard is worked on by one process at a time; a second one fails.
 
-`status` prints one line per shard that is not complete, and fails if there is one.
+`status` prints one line per shard that is not complete, and fails if there is one; `shards` prints
+their number.
 """
 
 import argparse
@@ -119,6 +121,10 @@ def status(arguments):
     sys.exit(1 if incomplete else 0)
 
 
+def shards(arguments):
+    print(Campaign(arguments.campaign).number_of_shards)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True)
@@ -138,6 +144,7 @@ def main():
     command.add_argument("--memory-limit", type=int, default=0, metavar="MB", help="per mesh; default: none")
     add(work).add_argument("shard", type=int)
     add(status)
+    add(shards)
     arguments = parser.parse_args()
     arguments.function(arguments)
 

@@ -10,7 +10,7 @@ campaign=$(cd "$1" && pwd)
 jobs=${2:-$(nproc)}
 shift $(($# < 2 ? $# : 2))
 
-shards=$(python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["shards"])' "$campaign/campaign.json")
+shards=$(python3 -B "$here/campaign.py" shards "$campaign")
 seq 0 $((shards - 1)) |
   parallel --will-cite --jobs "$jobs" --retries 4 "$@" python3 -B "$here/campaign.py" work "$campaign" {} ||
   echo "some workers failed" >&2

@@ -7,7 +7,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 campaign=$(cd "$1" && pwd)
 shift
 
-shards=$(python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["shards"])' "$campaign/campaign.json")
+shards=$(python3 -B "$here/campaign.py" shards "$campaign")
 mkdir -p "$campaign/log"
 sbatch --wait --array="0-$((shards - 1))" --output="$campaign/log/%a.txt" --open-mode=append "$@" \
   "$here/shard.sbatch" "$here/campaign.py" "$campaign" || echo "some jobs failed" >&2

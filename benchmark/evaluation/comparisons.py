@@ -1,7 +1,6 @@
 """Figures 16, 18 and 21: other detectors, other Steiner trees, another cutter."""
 
 import csv
-import io
 import math
 import statistics
 
@@ -123,7 +122,7 @@ def read_rival(file):
     """Lines `mesh,seconds,length,energy` of another cutter: length in diagonals, energy its bound or result."""
     with open(file, encoding="utf-8") as lines:
         return {row["mesh"]: {key: float(row[key]) for key in ("seconds", "length", "energy")}
-                for row in csv.DictReader(io.StringIO(lines.read()))}
+                for row in csv.DictReader(lines)}
 
 
 def rival_commands(setting):

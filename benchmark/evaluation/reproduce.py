@@ -14,6 +14,7 @@ import argparse
 import json
 import os
 import pathlib
+import sys
 
 import comparisons
 import stages
@@ -21,7 +22,9 @@ import sweeps
 from measuring import Setting
 from pieces import Pieces
 
-SUFFIXES = {".off", ".obj", ".ply", ".stl"}
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "corpus"))
+
+from run_corpus import meshes_in  # noqa: E402
 
 # Commands and what is made of their answers.
 EXPERIMENTS = {
@@ -38,7 +41,7 @@ EXPERIMENTS = {
 
 def survey(setting, pieces, folder, largest):
     """Runs the package on every mesh, and finds those on which the paper's method is defined."""
-    meshes = sorted(path.resolve() for path in folder.rglob("*") if path.suffix.lower() in SUFFIXES)
+    meshes = sorted(mesh.resolve() for mesh in meshes_in([folder]))
     meshes.sort(key=lambda mesh: mesh.stat().st_size)
     outcomes = pieces.run({mesh: setting.unwrap(mesh, "--time-limit", "100") for mesh in meshes})
     table, faces = [], {}
