@@ -26,7 +26,7 @@ int main(int argc, char** argv)
   auto is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
   auto uv = mesh.add_property_map<halfedge_descriptor, Kernel::Point_2>("h:uv").first;
 
-  // The shortest cut at which the mean energy stays below the bound, and no two triangles overlap.
+  // A short cut at which the mean energy stays below the bound, and no two triangles overlap.
   for(double bound : {4.3, 4.1})
   {
     const auto result = SMC::unwrap(mesh, is_cut, uv,
