@@ -239,11 +239,29 @@ void test_lengths()
         length += flat.length(flat.edge(e.halfedge));
       return length;
     };
-    const Handle_loops exact = cut_handles(flat, constraints, 0.);
+    const Handle_loops exact = cut_handles(flat, constraints, {}, 0.);
     const Handle_loops usual = cut_handles(flat, constraints);
     assert(std::abs(first_length(exact) - best) < 1e-9 * best);
     assert(first_length(usual) * 0.95 <= best);
     assert(cut_length(flat, usual.cut) <= 1.25 * cut_length(flat, exact.cut));
+  }
+}
+
+void test_stop()
+{
+  CGAL::Random random(3);
+  const Surface_mesh mesh = test::make_mesh<Surface_mesh>(test::random_surface(6, 6, 3, 0, random).soup);
+  const auto adapter = adapt(mesh);
+  const Edge_constraints constraints = unconstrained(adapter.mesh());
+  const std::size_t number_of_loops = cut_handles(adapter.mesh(), constraints).loops.size();
+  assert(number_of_loops > 1);
+  for(std::size_t allowed = 0; allowed <= number_of_loops; ++allowed)
+  {
+    std::size_t questions = 0;
+    const Handle_loops handles = cut_handles(adapter.mesh(), constraints, [&] { return questions++ < allowed; });
+    assert(handles.loops.size() == allowed);
+    assert(bool(handles.status) == (allowed == number_of_loops));
+    assert(handles.status || handles.status.finding.code == Status_code::STOPPED);
   }
 }
 
@@ -356,6 +374,7 @@ int main()
 {
   test_random_surfaces();
   test_lengths();
+  test_stop();
   test_constraints();
   test_weights();
   test_refused();

@@ -124,7 +124,8 @@ private:
     const Phase_clock::Measurement measurement(m_clock, Phase::CANDIDATES);
     Handle_loops handles = cut_handles(resolution.mesh, m_initial.is_given() && &resolution == &m_fine
                                                           ? m_initial.guide(resolution.constraints)
-                                                          : resolution.constraints);
+                                                          : resolution.constraints,
+                                       [this] { return m_control.go_further(); });
     resolution.constraints.mandatory = std::move(handles.cut);
     return handles.status;
   }

@@ -26,6 +26,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -120,9 +121,10 @@ private:
 // Finds loops after which each part that the mandatory cut leaves is as connected as before and has
 // genus 0. They are chosen one after the other, each close to the shortest that the former ones
 // leave. Several loops may meet and overlap, as they must on coarse meshes with many handles.
-// O(g (n log n + g n) + s), where s is the total size of the balls searched.
+// O(g (n log n + g n) + s), where s is the total size of the balls searched. Before each loop,
+// `go_further`, if given, says whether to.
 inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& constraints,
-                                double tolerance = 0.05)
+                                const std::function<bool()>& go_further = {}, double tolerance = 0.05)
 {
   Handle_loops result{check_handles_can_be_cut(mesh, constraints), {}, constraints.mandatory};
   if(!result.status)
@@ -136,6 +138,11 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
     const Tree_cotree tree_cotree(chart, surface);
     if(tree_cotree.generators().empty())
       break;
+    if(go_further && !go_further())
+    {
+      result.status = Flat_status(Status_code::STOPPED, "the visitor ended the run");
+      return result;
+    }
     Shortest_loop shortest_loop(surface, tree_cotree, tolerance);
     shortest_loop.search(tree_cotree.cut_graph_nodes());
     const Loop& loop = shortest_loop.loop();
