@@ -74,13 +74,7 @@ public:
 
   // Maps the surface opened along the connected cut; the second of the calls. False if no flip-free
   // map was found or the run was stopped.
-  bool map()
-  {
-    if(!m_map.initialize(m_tree.cut))
-      return false;
-    record();
-    return true;
-  }
+  bool map() { return map(std::numeric_limits<double>::infinity()); }
 
   // Takes another cut through the features, and its map, instead of the tree.
   void take(Open_chart chart)
@@ -107,7 +101,7 @@ public:
     for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain); ++round)
     {
       Mapped_cut former = state();
-      if(!reconnect() || m_length >= former.length)
+      if(!reconnect(former, Refinement_limits()))
       {
         restore(std::move(former));
         break;
@@ -205,15 +199,27 @@ private:
     return !m_control.is_stopped();
   }
 
-  // Takes the tree through the present features instead of the present cut. False if that failed.
-  bool reconnect()
+  // The same, but also false if the energy is above `bound`, as soon as that is foreseeable.
+  bool map(double bound)
+  {
+    if(!m_map.initialize(m_tree.cut, bound))
+      return false;
+    record();
+    return true;
+  }
+
+  // Takes the tree through the present features instead of the former cut. False if it is not shorter
+  // or does not keep to the limits; then the former state has to be restored.
+  bool reconnect(const Mapped_cut& former, const Refinement_limits& limits)
   {
     CGAL::internal::Steiner_tree::Options connection = m_parameters.connection;
     connection.maximum_number_of_states
       = (std::min)(connection.maximum_number_of_states, m_parameters.number_of_states_while_refining);
     m_tree = make_tree(connection);
     m_length = cut_length(m_mesh, m_tree.cut);
-    return m_tree.status && map();
+    const double saved = former.length - m_length;
+    return m_tree.status && saved > 0 &&
+           map((std::min)(limits.energy, former.chart.energy + limits.energy_per_length * saved));
   }
 
   // Until so many attempts have failed. The branch to `kept_tip`, if any, stays.
@@ -289,8 +295,7 @@ private:
     m_features.erase(std::remove(m_features.begin(), m_features.end(), move.tip), m_features.end());
     if(move.new_tip >= 0)
       m_features.push_back(move.new_tip);
-    if(reconnect() && m_length < former.length && m_map.energy() <= limits.energy &&
-       m_map.energy() - former.chart.energy <= limits.energy_per_length * (former.length - m_length))
+    if(reconnect(former, limits))
       return true;
     restore(std::move(former));
     return false;

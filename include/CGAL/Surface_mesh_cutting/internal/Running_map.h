@@ -53,16 +53,20 @@ public:
       m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
   {}
 
-  // Starts anew from a cut that leaves one disk; false if no flip-free map was found or the run was
-  // stopped.
-  bool initialize(const Cut& cut)
+  // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
+  // above `bound`, or if the run was stopped.
+  bool initialize(const Cut& cut, double bound = std::numeric_limits<double>::infinity())
   {
     m_state.cut = cut;
     m_state.chart = make_chart(m_mesh, cut);
     Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
-    const Newton_result result = parameterizer.isometric_map(m_state.uv, options());
+    Newton_options o = options();
+    if(!parameterizer.isometric_start(m_state.uv, o))
+      return false;
+    o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !m_control.go_further(); };
+    const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
     m_state.energy = result.energy;
-    return result.outcome != Newton_outcome::FAILED && !m_control.is_stopped();
+    return result.outcome != Newton_outcome::FAILED && result.energy <= bound && !m_control.is_stopped();
   }
 
   const Cut& cut() const { return m_state.cut; }
@@ -226,18 +230,23 @@ private:
     return is_globally_useful(threshold);
   }
 
-  // The Newton decrement estimates twice the gain that is left; far from convergence it is too small,
-  // hence the factor.
-  bool is_globally_useful(double threshold)
+  // Whether the energy will stay above `bound`. The Newton decrement estimates twice the gain that is
+  // left; far from convergence it is too small, hence the factor.
+  static bool is_out_of_reach(double bound, const Newton_state& s)
   {
     constexpr double caution = 2;
+    return s.energy - caution * s.decrement > bound;
+  }
+
+  bool is_globally_useful(double threshold)
+  {
     const double target = m_state.energy - threshold;
     bool is_decided = false, is_useful = false;
     Newton_options o;
     o.stop = [&](const Newton_state& s)
     {
       is_useful = s.energy < target;
-      is_decided = is_useful || s.energy - caution * s.decrement > target || !m_control.go_further();
+      is_decided = is_useful || is_out_of_reach(target, s) || !m_control.go_further();
       return is_decided;
     };
     const Newton_result result = solve(o);

@@ -66,9 +66,15 @@ public:
   // starts.
   Newton_result isometric_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
-    if(!start<Symmetric_Dirichlet_energy>(uv, options))
+    if(!isometric_start(uv, options))
       return Newton_result();
     return improve_isometrically(uv, options);
+  }
+
+  // What `isometric_map()` starts from. False if no flip-free map was found or that was stopped.
+  bool isometric_start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options) const
+  {
+    return start<Symmetric_Dirichlet_energy>(uv, options);
   }
 
   // From the flip-free map `uv`, which is first brought to its best scale.
