@@ -18,8 +18,8 @@ case $preset in
   program) preset=address
            targets=(--target unwrap mutate_meshes)
            set -- --tests-regex '^unwrap_(usage|reading|limits|mutated_meshes)$' ;;
-  thread)  targets=(--target unwrap test_steiner_tree_parallel)
-           set -- --tests-regex '^(unwrap_determinism|execution___of__test_steiner_tree_parallel)$' ;;
+  thread)  targets=(--target unwrap test_feature_points test_steiner_tree_parallel)
+           set -- --tests-regex '^(unwrap_determinism|execution___of__test_(feature_points|steiner_tree_parallel))$' ;;
   *)       echo "usage: $0 address|program|thread [options of ctest]" >&2; exit 2 ;;
 esac
 

@@ -1,5 +1,5 @@
-// The steps of feature point detection against brute force, and the early decisions of the filtering
-// against full convergence.
+// The steps of feature point detection against brute force, the early decisions of the filtering against
+// full convergence, and the filtering with several threads against that with one.
 
 #include "test_meshes.h"
 
@@ -7,6 +7,11 @@
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 
 #include <CGAL/Random.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
 
 #include <cmath>
 #include <iostream>
@@ -146,6 +151,12 @@ double converged_energy(const SMC::Flat_mesh& mesh, const std::vector<SMP::Rest_
   return solver.minimize<SMP::Symmetric_Dirichlet_energy>(shapes, SMP::area_weights(shapes), uv, options).energy;
 }
 
+bool are_equal(const SMC::Open_chart& a, const SMC::Open_chart& b)
+{
+  return a.cut == b.cut && a.chart.triangles() == b.chart.triangles() && a.chart.opposites() == b.chart.opposites() &&
+         a.chart.origins() == b.chart.origins() && a.uv == b.uv && a.energy == b.energy;
+}
+
 // From the same state, the early decision is that of full convergence, unless the gain is within a
 // tenth of the threshold.
 void test_replay(CGAL::Random& random, int& decisions)
@@ -173,15 +184,75 @@ void test_replay(CGAL::Random& random, int& decisions)
       continue;
     const double gain = map.energy() - converged_energy(mesh, shapes, map, slit);
     const double before = map.energy();
-    const std::vector<Eigen::Vector2d> former = map.uv();
+    const SMC::Open_chart former = map.state();
     const bool is_accepted = map.open_if_useful(slit, threshold);
     ++decisions;
     check(std::abs(gain - threshold) <= 0.1 * threshold || is_accepted == (gain > threshold), "early decision");
     if(is_accepted)
       check(before - map.energy() > 0.9 * threshold, "the gain of an accepted slit");
     else
-      check(map.uv() == former && map.energy() == before, "a rejected slit leaves no trace");
+      check(are_equal(map.state(), former), "a rejected slit leaves no trace");
   }
+}
+
+// What is filtered: a closed surface if `cut` is empty.
+struct Filtering
+{
+  const SMC::Flat_mesh& mesh;
+  const std::vector<SMP::Rest_shape> shapes;
+  std::vector<SMC::Candidate> candidates;
+  std::vector<int> terminals;
+  SMC::Cut cut;
+};
+
+template <typename ConcurrencyTag, typename Judge>
+void filter(const Filtering& f, Judge judge)
+{
+  const SMC::Edge_constraints constraints = SMC::unconstrained(f.mesh);
+  const SMC::Cutting_parameters parameters;
+  SMC::Run_control control;
+  SMC::Greedy_filter<SMP::Simplicial_solver, ConcurrencyTag> filter(f.mesh, f.shapes, constraints, f.terminals,
+                                                                    parameters, control);
+  check(f.cut.empty() ? filter.run(f.candidates) : filter.run_on_disk(f.cut, f.candidates), "filtering");
+  judge(filter);
+}
+
+template <typename Function>
+void with_four_threads(const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
+  tbb::task_arena(4).execute(f);
+#else
+  f();
+#endif
+}
+
+// Candidates at random, so that some are on the cut, blocked, accepted, or rejected.
+void test_speculation(bool is_closed, CGAL::Random& random, int& decisions)
+{
+  const SMC::Flat_mesh mesh = random_star_shape(random.get_int(10, 20), random);
+  Filtering f{mesh, SMP::rest_shapes(mesh.triangles(), mesh.points()), {}, {}, {}};
+  if(!is_closed)
+    f.cut = SMC::make_cut(mesh, SMC::farthest_pair_path(mesh, 0));
+  for(int v = random.get_int(0, 20); v < mesh.number_of_vertices(); v += random.get_int(5, 25))
+    f.candidates.push_back({v, random.get_double(0, 25) * SMC::average_edge_length(mesh)});
+  f.terminals.push_back(f.candidates[f.candidates.size() / 2].vertex);
+  filter<CGAL::Sequential_tag>(f, [&](const auto& expected)
+  {
+    decisions += int(f.candidates.size());
+    with_four_threads([&]
+    {
+      filter<CGAL::Parallel_if_available_tag>(f, [&](const auto& found)
+      {
+        check(found.features() == expected.features(), "the same features with several threads");
+        check(std::equal(found.trade_offs().begin(), found.trade_offs().end(), expected.trade_offs().begin(),
+                         expected.trade_offs().end(), [](const auto& a, const auto& b)
+                         { return a.cut_length == b.cut_length && a.E_iso == b.E_iso; }), "the same cuts accepted");
+        check(are_equal(found.map().state(), expected.map().state()), "the same map with several threads");
+      });
+    });
+  });
 }
 
 int main(int argc, char** argv)
@@ -197,5 +268,9 @@ int main(int argc, char** argv)
   for(int i = 0; i < 12; ++i)
     test_replay(random, decisions);
   std::cout << decisions << " decisions replayed" << std::endl;
+  decisions = 0;
+  for(int i = 0; i < 12; ++i)
+    test_speculation(i % 2 == 0, random, decisions);
+  std::cout << decisions << " decisions with several threads" << std::endl;
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -10,6 +10,7 @@ struct global_control
 {
   enum parameter { max_allowed_parallelism };
   global_control(parameter, std::size_t) {}
+  static std::size_t active_value(parameter) { return 4; }
 };
 
 } // namespace tbb

@@ -56,8 +56,7 @@ public:
                     return !(m_paths.distance(w) >= 2 * radius || (w != v && is_center[w]));
                   });
       m_disks[v] = faces_within(own_radius);
-      for(int f : m_disks[v])
-        ++m_counts[f];
+      cover(v);
     }
   }
 
@@ -65,12 +64,19 @@ public:
   {
     for(int f : m_disks[v])
       --m_counts[f];
-    m_disks[v].clear();
+  }
+
+  // Takes `release()` back.
+  void cover(int v)
+  {
+    for(int f : m_disks[v])
+      ++m_counts[f];
   }
 
   bool is_forbidden(int f) const { return m_counts[f] > 0; }
 
-  // Whether a path of the candidate `v` may use each face: all but those in disks of others.
+  // Whether a path of the candidate `v`, which still has its disk, may use each face: all but those in
+  // disks of others.
   std::vector<char> faces_open_to(int v) const
   {
     std::vector<char> is_open(m_counts.size());

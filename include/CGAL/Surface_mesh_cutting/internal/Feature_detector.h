@@ -113,7 +113,8 @@ private:
     keep_connectable(candidates);
     if(is_closed())
       add_far_vertices(start, candidates);
-    Greedy_filter<LinearSolver> filter(m_mesh, m_shapes, m_constraints, m_terminals, m_parameters, m_control);
+    Greedy_filter<LinearSolver, ConcurrencyTag> filter(m_mesh, m_shapes, m_constraints, m_terminals, m_parameters,
+                                                       m_control);
     if(is_closed() ? filter.run(candidates) : filter.run_on_disk(opening, candidates))
       result.features = filter.features();
     else

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
-#include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/Speculative_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/initial_features.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace internal {
 // Chooses among the candidates (paper, Section 3.1.2): one after the other is connected to the cut,
 // and stays if this lowers the distortion by more than epsilon_iso. Terminals stay in any case. No
 // forbidden edge is opened; candidates that only such edges lead to are passed over.
-template <typename LinearSolver>
+template <typename LinearSolver, typename ConcurrencyTag>
 class Greedy_filter
 {
 public:
@@ -39,7 +39,7 @@ public:
                 const Edge_constraints& constraints, const std::vector<int>& terminals,
                 const Cutting_parameters& parameters, Run_control& control)
     : m_mesh(mesh), m_constraints(constraints), m_parameters(parameters), m_control(control), m_disks(mesh),
-      m_paths(mesh.graph()), m_map(mesh, shapes, control), m_is_on_cut(mesh.number_of_vertices(), 0),
+      m_paths(mesh.graph()), m_maps(mesh, shapes, control), m_is_on_cut(mesh.number_of_vertices(), 0),
       m_is_terminal(mesh.number_of_vertices(), 0)
   {
     for(int v : terminals)
@@ -66,7 +66,7 @@ public:
   }
 
   const std::vector<int>& features() const { return m_features; }
-  const Running_map<LinearSolver>& map() const { return m_map; }
+  const Running_map<LinearSolver>& map() const { return m_maps.map(); }
   // The cuts that were accepted, each containing the one before.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
@@ -74,9 +74,9 @@ private:
   bool run_from(const Cut& cut, const std::vector<int>& queue)
   {
     m_is_on_cut = open_vertices(m_mesh, cut);
-    if(!m_map.initialize(cut))
+    if(!m_maps.initialize(cut))
       return false;
-    m_trade_offs.push_back({cut_length(m_mesh, cut), m_map.energy()});
+    m_trade_offs.push_back({cut_length(m_mesh, cut), map().energy()});
     judge_queue(std::deque<int>(queue.begin(), queue.end()));
     if(!m_parameters.is_faithful)
       judge_most_distorted();
@@ -116,23 +116,67 @@ private:
           return; // only forbidden edges lead to the others
         blocked = 0;
       }
-      judge(v, path);
       m_disks.release(v);
+      judge(v, path, queue);
     }
   }
 
-  void judge(int v, const std::vector<int>& path)
+  // A path that connects a candidate to the cut.
+  struct Proposal
   {
+    int vertex;
+    std::vector<int> path;
+    double least_gain;
+  };
+
+  Proposal proposal(int v, const std::vector<int>& path) const
+  {
+    return {v, path, m_is_terminal[v] ? -std::numeric_limits<double>::infinity() : least_gain(path)};
+  }
+
+  // Judges `v` and, with several threads, those after it in the queue as if the ones before were
+  // rejected.
+  void judge(int v, const std::vector<int>& path, std::deque<int>& queue)
+  {
+    std::deque<Proposal> proposals(1, proposal(v, path));
     // A candidate on the cut cannot be judged; it stays, so that what it gains is not lost when the
     // features are connected in another way.
-    const double threshold = m_is_terminal[v] ? -std::numeric_limits<double>::infinity() : least_gain(path);
-    if(path.empty() || m_map.open_if_useful(path, threshold))
+    const std::size_t accepted
+      = path.empty() ? 0 : m_maps.open_first_useful([&](std::size_t i) -> const Proposal*
+        {
+          return i < proposals.size() || look_ahead(queue, proposals) ? &proposals[i] : nullptr;
+        });
+    if(accepted < proposals.size())
+      accept(proposals[accepted]);
+    // Those after it meet with another cut.
+    for(; proposals.size() > accepted + 1; proposals.pop_back())
     {
-      m_features.push_back(v);
-      for(int e : path)
-        mark_on_cut(e);
-      m_trade_offs.push_back({m_trade_offs.back().cut_length + total_length(m_mesh, path), m_map.energy()});
+      queue.push_front(proposals.back().vertex);
+      m_disks.cover(queue.front());
     }
+  }
+
+  void accept(const Proposal& p)
+  {
+    m_features.push_back(p.vertex);
+    for(int e : p.path)
+      mark_on_cut(e);
+    m_trade_offs.push_back({m_trade_offs.back().cut_length + total_length(m_mesh, p.path), map().energy()});
+  }
+
+  // Moves the first of the queue to the proposals if its path is known whether they are judged or not.
+  bool look_ahead(std::deque<int>& queue, std::deque<Proposal>& proposals)
+  {
+    if(queue.empty() || m_is_terminal[proposals.back().vertex]) // which is accepted for sure
+      return false;
+    const int v = queue.front();
+    std::vector<int> path;
+    if(!find_path(v, m_disks.faces_open_to(v), path) || path.empty())
+      return false;
+    queue.pop_front();
+    m_disks.release(v);
+    proposals.push_back(proposal(v, path));
+    return true;
   }
 
   double weight(int arc) const { return m_constraints.weights[m_mesh.graph().arcs[arc].edge]; }
@@ -215,7 +259,8 @@ private:
       if(v < 0 || !find_path(v, {}, path))
         return;
       const std::size_t before = m_features.size();
-      judge(v, path);
+      std::deque<int> others;
+      judge(v, path, others);
       if(m_features.size() > before)
       {
         failures = 0;
@@ -232,7 +277,7 @@ private:
 
   int most_distorted_vertex(const std::vector<char>& is_excluded) const
   {
-    const std::vector<double> distortion = m_map.vertex_distortion();
+    const std::vector<double> distortion = map().vertex_distortion();
     int best = -1;
     for(int v = 0; v < int(distortion.size()); ++v)
       if(!is_excluded[v] && (best < 0 || distortion[v] > distortion[best]))
@@ -259,7 +304,7 @@ private:
   Run_control& m_control;
   Candidate_disks m_disks;
   Shortest_paths m_paths;
-  Running_map<LinearSolver> m_map;
+  Speculative_map<LinearSolver, ConcurrencyTag> m_maps;
   std::vector<char> m_is_on_cut, m_is_terminal; // per vertex
   std::vector<int> m_features;
   std::vector<Trade_off> m_trade_offs;

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -48,9 +49,11 @@ template <typename LinearSolver>
 class Running_map
 {
 public:
-  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control)
+  // Work is given up, too, once `is_vain()`; what is there then has to be replaced by `restore()`.
+  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control,
+              std::function<bool()> is_vain = [] { return false; })
     : m_mesh(mesh), m_shapes(shapes), m_weights(area_weights(shapes)), m_control(control),
-      m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
+      m_is_vain(std::move(is_vain)), m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
   {}
 
   // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
@@ -63,10 +66,10 @@ public:
     Newton_options o = options();
     if(!parameterizer.isometric_start(m_state.uv, o))
       return false;
-    o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !m_control.go_further(); };
+    o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
     const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
     m_state.energy = result.energy;
-    return result.outcome != Newton_outcome::FAILED && result.energy <= bound && !m_control.is_stopped();
+    return result.outcome != Newton_outcome::FAILED && result.energy <= bound && !is_stopped();
   }
 
   const Cut& cut() const { return m_state.cut; }
@@ -82,16 +85,48 @@ public:
   // state is as before. `slit` holds edges.
   bool open_if_useful(const std::vector<int>& slit, double threshold)
   {
+    const bool is_open = try_slit(slit, threshold);
+    if(is_open)
+      converge();
+    return is_open;
+  }
+
+  // The same without converging, which is left to the caller.
+  bool try_slit(const std::vector<int>& slit, double threshold)
+  {
     const Trial trial = begin(slit);
-    if(is_useful(slit, threshold) && !m_control.is_stopped())
+    if(is_useful(slit, threshold) && !is_stopped())
     {
       for(int e : slit)
         m_state.cut[e] = 1;
-      converge();
       return true;
     }
     take_back(trial);
     return false;
+  }
+
+  // Far from the optimum, which a slit that changes much can leave the map, starting anew through
+  // the hierarchy takes fewer solves than going on.
+  void converge()
+  {
+    constexpr int patience = 6;
+    Newton_options o = options();
+    o.maximum_iterations = patience;
+    Newton_result result = solve(o);
+    if(result.outcome == Newton_outcome::ITERATION_LIMIT)
+    {
+      std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
+      Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
+      const Newton_result cold = parameterizer.isometric_map(m_state.uv, options());
+      if(cold.energy < result.energy)
+        result = cold;
+      else
+      {
+        m_state.uv.swap(warm_uv);
+        result = solve(options());
+      }
+    }
+    m_state.energy = result.energy;
   }
 
   // Opens the slit in any case.
@@ -149,6 +184,9 @@ public:
   }
 
 private:
+  bool go_further() { return !m_is_vain() && m_control.go_further(); }
+  bool is_stopped() const { return m_is_vain() || m_control.is_stopped(); }
+
   // A slit that was opened and may be closed again.
   struct Trial
   {
@@ -174,37 +212,13 @@ private:
     m_state.uv = trial.former_uv;
   }
 
-  // Far from the optimum, which a slit that changes much can leave the map, starting anew through
-  // the hierarchy takes fewer solves than going on.
-  void converge()
-  {
-    constexpr int patience = 6;
-    Newton_options o = options();
-    o.maximum_iterations = patience;
-    Newton_result result = solve(o);
-    if(result.outcome == Newton_outcome::ITERATION_LIMIT)
-    {
-      std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
-      Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
-      const Newton_result cold = parameterizer.isometric_map(m_state.uv, options());
-      if(cold.energy < result.energy)
-        result = cold;
-      else
-      {
-        m_state.uv.swap(warm_uv);
-        result = solve(options());
-      }
-    }
-    m_state.energy = result.energy;
-  }
-
   // The energy has to be known far better than epsilon_iso, not better: what the last step leaves is
   // far less than the decrement before it.
   Newton_options options()
   {
     Newton_options o;
     o.decrement = 1e-4;
-    o.stop = [this](const Newton_state&) { return !m_control.go_further(); };
+    o.stop = [this](const Newton_state&) { return !go_further(); };
     return o;
   }
 
@@ -222,7 +236,7 @@ private:
       if(!collect_window(slit, window.radius * total_length(m_mesh, slit)))
         break;
       gain += solve_window(threshold, gain);
-      if(gain > threshold || m_control.is_stopped())
+      if(gain > threshold || is_stopped())
         return true;
       if(window.largest_factor * gain < threshold)
         return false;
@@ -246,7 +260,7 @@ private:
     o.stop = [&](const Newton_state& s)
     {
       is_useful = s.energy < target;
-      is_decided = is_useful || is_out_of_reach(target, s) || !m_control.go_further();
+      is_decided = is_useful || is_out_of_reach(target, s) || !go_further();
       return is_decided;
     };
     const Newton_result result = solve(o);
@@ -335,7 +349,7 @@ private:
     {
       const double tolerance = std::isfinite(threshold) ? 0.01 * threshold : 0.1 * (before - s.energy);
       return gain_so_far + before - s.energy > threshold || s.decrement < tolerance ||
-             !m_control.go_further();
+             !go_further();
     };
     const Newton_result result = solver.template minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
     for(std::size_t i = 0; i < vertices.size(); ++i)
@@ -347,6 +361,7 @@ private:
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
   Run_control& m_control;
+  std::function<bool()> m_is_vain;
   Open_chart m_state;
 
   // The window in work.
