@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds with sanitizers of clang++ and runs tests:
 #   scripts/sanitize.sh address [options of ctest]   memory and undefined behavior; by default all tests of behavior
-#   scripts/sanitize.sh program                      the same for the program alone, on unusual and damaged meshes
+#   scripts/sanitize.sh program                      the same for the program alone, on unusual meshes
 #   scripts/sanitize.sh thread                       races, in what runs in parallel
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,8 +16,8 @@ targets=()
 case $preset in
   address) [ $# -gt 0 ] || set -- --label-exclude '^slow$' --exclude-regex '^merge_check|install|readme' ;;
   program) preset=address
-           targets=(--target unwrap mutate_meshes)
-           set -- --tests-regex '^unwrap_(usage|reading|limits|mutated_meshes)$' ;;
+           targets=(--target unwrap)
+           set -- --tests-regex '^unwrap_(usage|reading|limits)$' ;;
   thread)  targets=(--target unwrap test_feature_points test_steiner_tree_parallel)
            set -- --tests-regex '^(unwrap_determinism|execution___of__test_(feature_points|steiner_tree_parallel))$' ;;
   *)       echo "usage: $0 address|program|thread [options of ctest]" >&2; exit 2 ;;
