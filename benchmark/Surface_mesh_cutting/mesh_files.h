@@ -7,7 +7,24 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <vector>
+
+// A mesh file, or those of a folder, in alphabetical order.
+inline void add_files(const std::filesystem::path& path, std::vector<std::filesystem::path>& files)
+{
+  if(!std::filesystem::is_directory(path))
+  {
+    files.push_back(path);
+    return;
+  }
+  std::set<std::filesystem::path> found;
+  for(const auto& entry : std::filesystem::directory_iterator(path))
+    if(std::set<std::string>{".off", ".obj", ".ply", ".stl"}.count(entry.path().extension().string()) > 0)
+      found.insert(entry.path());
+  files.insert(files.end(), found.begin(), found.end());
+}
 
 // Of the arguments `[FOLDER [MESH_FILE...]]`: those named, or all of the folder, by default CGAL's; sorted.
 inline std::vector<std::filesystem::path> mesh_files(int argc, char** argv)
@@ -16,9 +33,8 @@ inline std::vector<std::filesystem::path> mesh_files(int argc, char** argv)
   std::vector<std::filesystem::path> files;
   for(int i = 2; i < argc; ++i)
     files.push_back(folder / argv[i]);
-  if(files.empty() && std::filesystem::is_directory(folder))
-    for(const auto& entry : std::filesystem::directory_iterator(folder))
-      files.push_back(entry.path());
+  if(files.empty())
+    add_files(folder, files);
   std::sort(files.begin(), files.end());
   return files;
 }

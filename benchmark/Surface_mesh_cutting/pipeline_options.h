@@ -3,6 +3,8 @@
 #ifndef PIPELINE_OPTIONS_H
 #define PIPELINE_OPTIONS_H
 
+#include "mesh_files.h"
+
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
@@ -11,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,21 +50,6 @@ struct Pipeline_options
     return coarse_number_of_faces.value_or(parameters.coarse_number_of_faces);
   }
 };
-
-// A mesh file, or those of a folder, in alphabetical order.
-inline void add_files(const std::filesystem::path& path, std::vector<std::filesystem::path>& files)
-{
-  if(!std::filesystem::is_directory(path))
-  {
-    files.push_back(path);
-    return;
-  }
-  std::set<std::filesystem::path> found;
-  for(const auto& entry : std::filesystem::directory_iterator(path))
-    if(std::set<std::string>{".off", ".obj", ".ply", ".stl"}.count(entry.path().extension().string()) > 0)
-      found.insert(entry.path());
-  files.insert(files.end(), found.begin(), found.end());
-}
 
 // Throws `std::runtime_error`, or what the standard library does, if they cannot be understood.
 inline Pipeline_options read_pipeline_options(const std::vector<std::string>& words)

@@ -141,12 +141,19 @@ private:
       return result;
     if(!map(refiner, result))
       return result;
-    if(refiner.chart().energy > m_energy_to_regain && !m_initial.is_given() && !is_coarsened())
-      refiner.take(std::move(detected.chart));
+    keep_filtered_cut(refiner, std::move(detected.chart));
     refine_and_parameterize(refiner, result);
     result.add(refiner.trade_offs());
     result.keep_undominated_trade_offs();
     return result;
+  }
+
+  // Where connecting the features loses too much, the filter's own cut is the better one. There is none of the
+  // surface itself if the features were found on a coarser version.
+  void keep_filtered_cut(Refiner& refiner, Open_chart filtered) const
+  {
+    if(refiner.chart().energy > m_energy_to_regain && !m_initial.is_given() && !is_coarsened())
+      refiner.replace_tree(std::move(filtered));
   }
 
   Refiner make_refiner(const Resolution& resolution)
@@ -203,23 +210,23 @@ private:
     result.status = cut_handles_of(resolution);
     if(!result.status)
       return {};
-    std::vector<int> features = find_features_of(resolution, start, result).features;
+    Detected_features detected = find_features_of(resolution, start, result);
     if(result.status && refines(resolution))
     {
       const Phase_clock::Measurement measurement(m_clock, Phase::REFINE);
       Refiner refiner = make_refiner(resolution);
-      if(refiner.connect(features) && refiner.map())
+      if(refiner.connect(detected.features) && refiner.map())
       {
         refine(refiner, m_parameters.number_of_shortening_solves, m_parameters.maximum_distortion);
-        features = refiner.features();
+        detected.features = refiner.features();
       }
       result.add(refiner.trade_offs());
       if(m_control.is_stopped())
         result.status = failure(m_control);
     }
-    Detected_features lifted_features;
-    lifted_features.features = lifted(coarse, features);
-    return lifted_features;
+    detected.features = lifted(coarse, detected.features);
+    detected.chart = Open_chart();
+    return detected;
   }
 
   std::vector<int> lifted(const Coarse_mesh& coarse, const std::vector<int>& features) const

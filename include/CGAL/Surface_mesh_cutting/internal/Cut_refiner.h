@@ -76,8 +76,8 @@ public:
   // map was found or the run was stopped.
   bool map() { return map(std::numeric_limits<double>::infinity()); }
 
-  // Takes another cut through the features, and its map, instead of the tree.
-  void take(Open_chart chart)
+  // Goes on with another cut through the features, and its map, instead of the tree.
+  void replace_tree(Open_chart chart)
   {
     m_length = cut_length(m_mesh, chart.cut);
     m_map.restore(std::move(chart));
@@ -199,7 +199,8 @@ private:
     return !m_control.is_stopped();
   }
 
-  // The same, but also false if the energy is above `bound`, as soon as that is foreseeable.
+  // Maps the surface opened along the tree. False also if the energy is above `bound`, as soon as that is
+  // foreseeable.
   bool map(double bound)
   {
     if(!m_map.initialize(m_tree.cut, bound))

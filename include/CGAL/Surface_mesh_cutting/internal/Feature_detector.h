@@ -34,7 +34,7 @@ namespace internal {
 inline Flat_status failure(const Run_control& control)
 {
   if(control.is_stopped())
-    return Flat_status(Status_code::STOPPED, "the visitor ended the run");
+    return stopped_status();
   return Flat_status(Status_code::NUMERICAL_FAILURE, "no valid map of the opened surface was found");
 }
 

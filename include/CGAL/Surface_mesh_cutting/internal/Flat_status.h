@@ -56,6 +56,8 @@ struct Flat_status
   explicit operator bool() const { return finding.code == Status_code::OK; }
 };
 
+inline Flat_status stopped_status() { return Flat_status(Status_code::STOPPED, "the visitor ended the run"); }
+
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL

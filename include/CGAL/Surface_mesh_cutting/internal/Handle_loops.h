@@ -140,7 +140,7 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
       break;
     if(go_further && !go_further())
     {
-      result.status = Flat_status(Status_code::STOPPED, "the visitor ended the run");
+      result.status = stopped_status();
       return result;
     }
     Shortest_loop shortest_loop(surface, tree_cotree, tolerance);
