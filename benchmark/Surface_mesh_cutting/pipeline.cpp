@@ -2,8 +2,8 @@
 // over the bounding box diagonal, distortion, seconds, and memory.
 //
 //   pipeline [FOLDER|FILE...] [--effort fast|default|best] [--faithful] [--connect mst|sph|greedy|exact|best]
-//            [--conformal kp-newton|spectral] [--coarse FACES] [--max-distortion B] [--solver eigen|cholmod]
-//            [--threads N] [--seeds N] [--repetitions R] [--cold-map] [--baseline FILE.csv]
+//            [--conformal kp-newton|spectral] [--coarse FACES] [--max-distortion B] [--bijective]
+//            [--solver eigen|cholmod] [--threads N] [--seeds N] [--repetitions R] [--cold-map] [--baseline FILE.csv]
 //
 // The default is CGAL's data set. Times are medians over the repetitions, those of the phases and `cut_s`, all
 // without the final UVs, are processor seconds. `--coarse 0` stays at full resolution. With `--cold-map`, `cold_s`
@@ -96,6 +96,7 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
                     .conformal_solver(options.conformal_solver_or_default())
                     .coarse_number_of_faces(options.coarse_number_of_faces_or_default())
                     .maximum_distortion(options.maximum_distortion)
+                    .do_bijective(options.is_bijective)
                     .random_seed(static_cast<unsigned int>(seed))
                     .sparse_linear_solver(SolverTraits());
   Measurement measurement;

@@ -24,7 +24,7 @@ struct Pipeline_options
   using Conformal_solver = CGAL::Surface_mesh_cutting::Conformal_solver;
 
   std::vector<std::filesystem::path> files;
-  bool is_faithful = false, measures_cold_map = false;
+  bool is_faithful = false, is_bijective = false, measures_cold_map = false;
   Effort effort = Effort::DEFAULT;
   std::optional<Connection> connection;
   std::optional<Conformal_solver> conformal_solver;
@@ -73,6 +73,8 @@ inline Pipeline_options read_pipeline_options(const std::vector<std::string>& wo
       add_files(word, options.files);
     else if(word == "--faithful")
       options.is_faithful = true;
+    else if(word == "--bijective")
+      options.is_bijective = true;
     else if(word == "--cold-map")
       options.measures_cold_map = true;
     else if(word == "--effort")
