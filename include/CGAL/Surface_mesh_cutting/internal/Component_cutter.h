@@ -263,8 +263,10 @@ private:
     std::sort(result.features.begin(), result.features.end());
     result.cut = cut;
     result.length = cut_length(m_fine.mesh, cut);
-    result.lower_bound = tree.lower_bound + cut_length(m_fine.mesh, m_fine.constraints.mandatory);
-    result.is_optimal = tree.is_optimal && cut == tree.cut;
+    result.lower_bound = cut_length(m_fine.mesh, m_fine.constraints.mandatory);
+    if(refiner.is_connected())
+      result.lower_bound += tree.lower_bound;
+    result.is_optimal = refiner.is_connected() && tree.is_optimal && cut == tree.cut;
     result.auxiliary = tree.number_of_auxiliary_points;
   }
 

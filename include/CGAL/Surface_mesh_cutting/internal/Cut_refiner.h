@@ -35,7 +35,8 @@ struct Mapped_cut
 {
   std::vector<int> features;
   Connected_cut tree;
-  double length = 0;        // of the cut of the chart
+  bool is_connected = false; // whether the tree is one through the features; it was one through earlier ones
+  double length = 0;         // of the cut of the chart
   Open_chart chart;
 };
 
@@ -67,14 +68,13 @@ public:
   Flat_status connect(std::vector<int> features)
   {
     m_features = std::move(features);
-    m_tree = make_tree(m_parameters.connection);
-    m_length = cut_length(m_mesh, m_tree.cut);
+    connect(m_parameters.connection);
     return m_tree.status;
   }
 
   // Maps the surface opened along the connected cut; the second of the calls. False if no flip-free
   // map was found or the run was stopped.
-  bool map() { return map(std::numeric_limits<double>::infinity()); }
+  bool map() { return map(m_tree.cut, std::numeric_limits<double>::infinity()); }
 
   // Goes on with another cut through the features, and its map, instead of the tree.
   void replace_tree(Open_chart chart)
@@ -85,8 +85,10 @@ public:
   }
 
   const std::vector<int>& features() const { return m_features; }
-  // The tree through the features. What is refined may differ from it.
+  // The tree through the features, or through former ones if the run was stopped. What is refined may differ
+  // from it.
   const Connected_cut& tree() const { return m_tree; }
+  bool is_connected() const { return m_is_connected; }
   const Open_chart& chart() const { return m_map.state(); }
   double length() const { return m_length; } // of the chart's cut
   // All cuts that were mapped.
@@ -101,11 +103,8 @@ public:
     for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain); ++round)
     {
       Mapped_cut former = state();
-      if(!reconnect(former, Refinement_limits()))
-      {
-        restore(std::move(former));
+      if(!reconnect(Refinement_limits()))
         break;
-      }
       if(m_map.energy() <= bound)
         break;
       // A few slits repair what the other tree lost; if that is longer in the end, the former one
@@ -121,12 +120,15 @@ public:
 
   // Drops or trims branches, those first that gape least for their length. Then exchanges: the slit
   // with the best gain per length is opened, and what that makes superfluous is dropped. All as long
-  // as the limits allow and the budget of solves lasts.
+  // as the limits allow and the budget of solves lasts. What is left is straightened by the tree through the
+  // remaining features.
   void shorten(const Refinement_limits& limits)
   {
     constexpr int number_of_attempts = 4;
     m_solves_left = limits.number_of_solves;
-    drop_branches(limits, m_solves_left);
+    do
+      drop_branches(limits, m_solves_left);
+    while(!m_is_connected && m_solves_left > 0 && reconnect(limits));
     std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     while(m_solves_left > 0 && m_control.go_further())
     {
@@ -141,6 +143,8 @@ public:
       if(!(m_length < former.length) || m_map.energy() > limits.energy)
         restore(std::move(former));
     }
+    if(!m_is_connected && !m_control.is_stopped())
+      reconnect(limits);
   }
 
 private:
@@ -148,26 +152,30 @@ private:
   struct Move
   {
     int tip = -1, new_tip = -1;
-    double length = 0, gap = 0; // of the piece of the cut that is closed again
+    std::vector<int> edges;     // that are closed again
+    double length = 0, gap = 0; // of these
 
     // Opening relieves energy by about the square of the gap.
     double cost_per_length() const { return gap * gap / length; }
   };
 
-  Connected_cut make_tree(const CGAL::internal::Steiner_tree::Options& connection)
+  void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
-    return connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, connection,
-                                            [this] { return m_control.go_further(); });
+    m_tree = connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, options,
+                                              [this] { return m_control.go_further(); });
+    m_is_connected = true;
+    m_length = cut_length(m_mesh, m_tree.cut);
   }
 
   void record() { m_trade_offs.push_back({m_length, m_map.energy()}); }
 
-  Mapped_cut state() const { return {m_features, m_tree, m_length, m_map.state()}; }
+  Mapped_cut state() const { return {m_features, m_tree, m_is_connected, m_length, m_map.state()}; }
 
   void restore(Mapped_cut state)
   {
     m_features = std::move(state.features);
     m_tree = std::move(state.tree);
+    m_is_connected = state.is_connected;
     m_length = state.length;
     m_map.restore(std::move(state.chart));
   }
@@ -180,6 +188,7 @@ private:
     if(!(m_map.energy() < before))
       return false;
     m_features.push_back(slit.tip);
+    m_is_connected = false;
     m_length += slit.length;
     record();
     return true;
@@ -199,28 +208,40 @@ private:
     return !m_control.is_stopped();
   }
 
-  // Maps the surface opened along the tree. False also if the energy is above `bound`, as soon as that is
+  // Maps the surface opened along the cut. False also if the energy is above `bound`, as soon as that is
   // foreseeable.
-  bool map(double bound)
+  bool map(const Cut& cut, double bound)
   {
-    if(!m_map.initialize(m_tree.cut, bound))
+    if(!m_map.initialize(cut, bound))
       return false;
     record();
     return true;
   }
 
-  // Takes the tree through the present features instead of the former cut. False if it is not shorter
-  // or does not keep to the limits; then the former state has to be restored.
-  bool reconnect(const Mapped_cut& former, const Refinement_limits& limits)
+  // The most energy that a cut may have in exchange for so much length.
+  double largest_energy(const Refinement_limits& limits, double energy, double saved_length) const
   {
+    return (std::min)(limits.energy, energy + limits.energy_per_length * saved_length);
+  }
+
+  // Takes the tree through the features instead of the present cut if it is shorter and keeps to the limits.
+  bool reconnect(const Refinement_limits& limits)
+  {
+    Mapped_cut former = state();
     CGAL::internal::Steiner_tree::Options connection = m_parameters.connection;
     connection.maximum_number_of_states
       = (std::min)(connection.maximum_number_of_states, m_parameters.number_of_states_while_refining);
-    m_tree = make_tree(connection);
-    m_length = cut_length(m_mesh, m_tree.cut);
+    connect(connection);
     const double saved = former.length - m_length;
-    return m_tree.status && saved > 0 &&
-           map((std::min)(limits.energy, former.chart.energy + limits.energy_per_length * saved));
+    if(m_tree.status && saved > 0 && map(m_tree.cut, largest_energy(limits, former.chart.energy, saved)))
+      return true;
+    if(m_tree.status)
+    {
+      former.tree = std::move(m_tree);
+      former.is_connected = true;
+    }
+    restore(std::move(former));
+    return false;
   }
 
   // Until so many attempts have failed. The branch to `kept_tip`, if any, stays.
@@ -252,7 +273,7 @@ private:
     {
       if(is_kept[branch.vertices.front()] || branch.vertices.front() == kept_tip)
         continue;
-      for(std::size_t size = branch.edges.size(); size > 0; size /= 2)
+      for(std::size_t size = number_of_free_edges(branch); size > 0; size /= 2)
       {
         const Move move = make_move(branch, size, gaps);
         const bool leaves_a_disk = open_edges >= size + 2; // it takes two open edges on a closed surface
@@ -267,6 +288,13 @@ private:
     return best;
   }
 
+  // Mandatory edges, and what is between them and the rest of the cut, stay.
+  std::size_t number_of_free_edges(const Leaf_branch& branch) const
+  {
+    return std::find_if(branch.edges.begin(), branch.edges.end(), [this](int e) { return m_constraints.mandatory[e]; }) -
+           branch.edges.begin();
+  }
+
   // Closes the outer `size` edges of a branch.
   Move make_move(const Leaf_branch& branch, std::size_t size, const std::vector<double>& gaps) const
   {
@@ -274,6 +302,7 @@ private:
     move.tip = branch.vertices.front();
     if(size < branch.edges.size())
       move.new_tip = branch.vertices[size];
+    move.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
     for(std::size_t i = 0; i < size; ++i)
     {
       move.length += m_mesh.length(branch.edges[i]);
@@ -296,7 +325,12 @@ private:
     m_features.erase(std::remove(m_features.begin(), m_features.end(), move.tip), m_features.end());
     if(move.new_tip >= 0)
       m_features.push_back(move.new_tip);
-    if(reconnect(former, limits))
+    m_is_connected = false;
+    Cut cut = m_map.cut();
+    for(int e : move.edges)
+      cut[e] = 0;
+    m_length = cut_length(m_mesh, cut);
+    if(map(cut, largest_energy(limits, former.chart.energy, former.length - m_length)))
       return true;
     restore(std::move(former));
     return false;
@@ -312,6 +346,7 @@ private:
   Running_map<LinearSolver> m_map;
   std::vector<int> m_features;
   Connected_cut m_tree;
+  bool m_is_connected = false;
   double m_length = 0;
   int m_solves_left = 0;
   std::vector<Trade_off> m_trade_offs;
