@@ -217,7 +217,7 @@ private:
       Refiner refiner = make_refiner(resolution);
       if(refiner.connect(detected.features) && refiner.map())
       {
-        refine(refiner, m_parameters.number_of_shortening_solves, m_parameters.maximum_distortion);
+        refine(refiner, m_parameters.number_of_shortening_solves, m_parameters.maximum_distortion, true);
         detected.features = refiner.features();
       }
       result.add(refiner.trade_offs());
@@ -334,9 +334,10 @@ private:
 
   // Lowers the energy to the bound if there is one, then shortens. Without a bound, what the tree
   // through the features loses against the filter's cut, or a given one, is gained back where it pays.
-  void refine(Refiner& refiner, int number_of_solves, double bound)
+  void refine(Refiner& refiner, int number_of_solves, double bound, bool keeps_tree = false)
   {
     Refinement_limits limits;
+    limits.keeps_tree = keeps_tree;
     limits.number_of_solves = number_of_solves;
     if(has_bound())
     {

@@ -15,14 +15,13 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/Closing_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/Cutting_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/Leaf_branches.h>
 #include <CGAL/Surface_mesh_cutting/internal/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -47,6 +46,9 @@ struct Refinement_limits
   // What a piece of the cut may cost at most, in energy per length, for its removal to pay.
   double energy_per_length = std::numeric_limits<double>::infinity();
   int number_of_solves = 0; // at most, for shortening
+  // Whether a tree through the features has to remain one: where only they are handed on, a cut that
+  // is bent otherwise would be lost.
+  bool keeps_tree = false;
 };
 
 // Improves a connected cut under the measure of its own map: slits are opened until the distortion
@@ -61,7 +63,7 @@ public:
   Cut_refiner(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
               const std::vector<int>& terminals, const Cutting_parameters& parameters, Run_control& control)
     : m_mesh(mesh), m_shapes(shapes), m_constraints(constraints), m_terminals(terminals),
-      m_parameters(parameters), m_control(control), m_search(mesh, constraints), m_map(mesh, shapes, control)
+      m_parameters(parameters), m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints), m_map(mesh, shapes, control)
   {}
 
   // Connects the features; the first of the calls.
@@ -118,47 +120,24 @@ public:
     return m_map.energy() <= bound;
   }
 
-  // Drops or trims branches, those first that gape least for their length. Then exchanges: the slit
-  // with the best gain per length is opened, and what that makes superfluous is dropped. All as long
-  // as the limits allow and the budget of solves lasts. What is left is straightened by the tree through the
+  // Drops or trims branches, those first that seem to cost least energy for their length. Then exchanges: slits
+  // with the best gain per length are opened until more of the branches can be dropped than was opened. All as
+  // long as the limits allow and the budget of solves lasts. What is left is straightened by the tree through the
   // remaining features.
   void shorten(const Refinement_limits& limits)
   {
-    constexpr int number_of_attempts = 4;
     m_solves_left = limits.number_of_solves;
-    do
-      drop_branches(limits, m_solves_left);
-    while(!m_is_connected && m_solves_left > 0 && reconnect(limits));
-    std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
-    while(m_solves_left > 0 && m_control.go_further())
-    {
-      Mapped_cut former = state();
-      const Slit slit = m_search.best(m_map, is_excluded);
-      if(slit.tip < 0)
-        break;
-      is_excluded[slit.tip] = 1;
-      --m_solves_left;
-      open(slit);
-      drop_branches(limits, number_of_attempts, slit.tip);
-      if(!(m_length < former.length) || m_map.energy() > limits.energy)
-        restore(std::move(former));
-    }
+    std::vector<char> is_kept(m_mesh.number_of_vertices(), 0);
+    for(int v : m_terminals)
+      is_kept[v] = 1;
+    drop_branches(limits, m_solves_left, is_kept);
+    while(m_solves_left > 0 && m_control.go_further() && exchange(limits, is_kept))
+      continue;
     if(!m_is_connected && !m_control.is_stopped())
       reconnect(limits);
   }
 
 private:
-  // A feature point drawn back along its branch, or dropped.
-  struct Move
-  {
-    int tip = -1, new_tip = -1;
-    std::vector<int> edges;     // that are closed again
-    double length = 0, gap = 0; // of these
-
-    // Opening relieves energy by about the square of the gap.
-    double cost_per_length() const { return gap * gap / length; }
-  };
-
   void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
     m_tree = connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, options,
@@ -199,7 +178,7 @@ private:
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     while(m_map.energy() > bound && m_control.go_further())
     {
-      const Slit slit = m_search.best(m_map, is_excluded);
+      const Slit slit = m_slits.best(m_map, is_excluded);
       if(slit.tip < 0 || slit.gain_per_length() < least_gain)
         return false;
       if(!open(slit))
@@ -224,7 +203,10 @@ private:
     return (std::min)(limits.energy, energy + limits.energy_per_length * saved_length);
   }
 
-  // Takes the tree through the features instead of the present cut if it is shorter and keeps to the limits.
+  bool is_tree() const { return m_is_connected && m_map.cut() == m_tree.cut; }
+
+  // Takes the tree through the features instead of the present cut if it is shorter and keeps to the limits. False
+  // if the cut is not that tree then.
   bool reconnect(const Refinement_limits& limits)
   {
     Mapped_cut former = state();
@@ -233,6 +215,8 @@ private:
       = (std::min)(connection.maximum_number_of_states, m_parameters.number_of_states_while_refining);
     connect(connection);
     const double saved = former.length - m_length;
+    if(m_tree.status && m_tree.cut == former.chart.cut)
+      return true;
     if(m_tree.status && saved > 0 && map(m_tree.cut, largest_energy(limits, former.chart.energy, saved)))
       return true;
     if(m_tree.status)
@@ -244,96 +228,71 @@ private:
     return false;
   }
 
-  // Until so many attempts have failed. The branch to `kept_tip`, if any, stays.
-  void drop_branches(const Refinement_limits& limits, int maximum_number_of_failures, int kept_tip = -1)
+  // Until so many attempts have failed.
+  void drop_branches(const Refinement_limits& limits, int maximum_number_of_failures, const std::vector<char>& is_kept)
   {
-    std::set<std::pair<int, int> > rejected; // former and new tip
-    while(m_solves_left > 0 && int(rejected.size()) < maximum_number_of_failures && m_control.go_further())
+    const double shortest = 0.1 * m_parameters.connection.minimum_length_decrease; // worth a solve
+    const auto allowed_cost = [&](double length)
+    { return length < shortest ? 0 : largest_energy(limits, m_map.energy(), length) - m_map.energy(); };
+    int number_of_failures = 0;
+    while(m_solves_left > 0 && number_of_failures < maximum_number_of_failures && m_control.go_further())
     {
-      const Move move = best_move(rejected, kept_tip);
-      if(move.tip < 0)
+      const Closing closing = m_closings.best(m_map, m_features, is_kept, allowed_cost);
+      if(closing.tip < 0)
         break;
       --m_solves_left;
-      if(!take(move, limits))
-        rejected.emplace(move.tip, move.new_tip);
+      number_of_failures += !close(closing, limits);
     }
   }
 
-  Move best_move(const std::set<std::pair<int, int> >& rejected, int kept_tip) const
-  {
-    std::vector<char> is_end(m_mesh.number_of_vertices(), 0), is_kept = is_end;
-    for(int v : m_features)
-      is_end[v] = 1;
-    for(int v : m_terminals)
-      is_kept[v] = 1;
-    const std::vector<double> gaps = m_map.gaps();
-    const std::size_t open_edges = number_of_open_edges();
-    Move best;
-    for(const Leaf_branch& branch : leaf_branches(m_mesh, m_map.cut(), is_end))
-    {
-      if(is_kept[branch.vertices.front()] || branch.vertices.front() == kept_tip)
-        continue;
-      for(std::size_t size = number_of_free_edges(branch); size > 0; size /= 2)
-      {
-        const Move move = make_move(branch, size, gaps);
-        const bool leaves_a_disk = open_edges >= size + 2; // it takes two open edges on a closed surface
-        if(leaves_a_disk && !rejected.count({move.tip, move.new_tip}))
-        {
-          if(best.tip < 0 || move.cost_per_length() < best.cost_per_length())
-            best = move;
-          break; // the shorter ones after this one
-        }
-      }
-    }
-    return best;
-  }
-
-  // Mandatory edges, and what is between them and the rest of the cut, stay.
-  std::size_t number_of_free_edges(const Leaf_branch& branch) const
-  {
-    return std::find_if(branch.edges.begin(), branch.edges.end(), [this](int e) { return m_constraints.mandatory[e]; }) -
-           branch.edges.begin();
-  }
-
-  // Closes the outer `size` edges of a branch.
-  Move make_move(const Leaf_branch& branch, std::size_t size, const std::vector<double>& gaps) const
-  {
-    Move move;
-    move.tip = branch.vertices.front();
-    if(size < branch.edges.size())
-      move.new_tip = branch.vertices[size];
-    move.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
-    for(std::size_t i = 0; i < size; ++i)
-    {
-      move.length += m_mesh.length(branch.edges[i]);
-      move.gap = (std::max)(move.gap, gaps[branch.vertices[i]]);
-    }
-    return move;
-  }
-
-  std::size_t number_of_open_edges() const
-  {
-    std::size_t count = 0;
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      count += m_map.cut()[e] || m_mesh.is_border_edge(e);
-    return count;
-  }
-
-  bool take(const Move& move, const Refinement_limits& limits)
+  bool close(const Closing& closing, const Refinement_limits& limits)
   {
     Mapped_cut former = state();
-    m_features.erase(std::remove(m_features.begin(), m_features.end(), move.tip), m_features.end());
-    if(move.new_tip >= 0)
-      m_features.push_back(move.new_tip);
+    const bool was_tree = is_tree();
+    m_features.erase(std::remove(m_features.begin(), m_features.end(), closing.tip), m_features.end());
+    if(closing.new_tip >= 0)
+      m_features.push_back(closing.new_tip);
     m_is_connected = false;
     Cut cut = m_map.cut();
-    for(int e : move.edges)
+    for(int e : closing.edges)
       cut[e] = 0;
     m_length = cut_length(m_mesh, cut);
-    if(map(cut, largest_energy(limits, former.chart.energy, former.length - m_length)))
-      return true;
+    bool is_within = map(cut, largest_energy(limits, former.chart.energy, closing.length));
+    double cost = m_map.energy() - former.chart.energy;
+    if(is_within && was_tree && !reconnect(limits) && limits.keeps_tree)
+    {
+      is_within = false;
+      cost = std::numeric_limits<double>::infinity();
+    }
+    m_closings.remember(closing, cost);
+    if(!is_within)
+      restore(std::move(former));
+    return is_within;
+  }
+
+  // Opens slits until more of the cut can be closed than was opened. False if no slit is left to try.
+  bool exchange(const Refinement_limits& limits, std::vector<char>& is_kept)
+  {
+    constexpr int maximum_number_of_slits = 3, number_of_attempts = 4;
+    Mapped_cut former = state();
+    const bool needs_tree = limits.keeps_tree && is_tree();
+    bool has_slit = false;
+    for(int i = 0; i < maximum_number_of_slits && m_solves_left > 0; ++i)
+    {
+      const Slit slit = m_slits.best(m_map, is_kept);
+      if(slit.tip < 0)
+        break;
+      has_slit = true;
+      is_kept[slit.tip] = 1;
+      --m_solves_left;
+      if(!open(slit))
+        break;
+      drop_branches(limits, number_of_attempts, is_kept);
+      if(m_length < former.length && m_map.energy() <= limits.energy && (!needs_tree || reconnect(limits)))
+        return true;
+    }
     restore(std::move(former));
-    return false;
+    return has_slit;
   }
 
   const Flat_mesh& m_mesh;
@@ -342,7 +301,8 @@ private:
   const std::vector<int>& m_terminals;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;
-  Slit_search<LinearSolver> m_search;
+  Slit_search<LinearSolver> m_slits;
+  Closing_search m_closings;
   Running_map<LinearSolver> m_map;
   std::vector<int> m_features;
   Connected_cut m_tree;

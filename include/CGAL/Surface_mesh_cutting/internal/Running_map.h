@@ -62,6 +62,7 @@ public:
   {
     m_state.cut = cut;
     m_state.chart = make_chart(m_mesh, cut);
+    m_state.energy = std::numeric_limits<double>::infinity();
     Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
     Newton_options o = options();
     if(!parameterizer.isometric_start(m_state.uv, o))
