@@ -18,9 +18,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/Cut_refiner.h>
 #include <CGAL/Surface_mesh_cutting/internal/Feature_detector.h>
+#include <CGAL/Surface_mesh_cutting/internal/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
-
-#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
 
 #include <algorithm>
 #include <limits>
@@ -274,7 +273,8 @@ private:
   {
     const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
     m_control.report(Phase::PARAMETERIZE, 0);
-    if(refiner.map())
+    // At full resolution a second solve costs more than the precision that refinement does not need.
+    if(refines(m_fine) ? refiner.map() : refiner.map(Newton_options().decrement))
       return true;
     result.status = failure(m_control);
     result.has_cut = false;
@@ -357,26 +357,13 @@ private:
   {
     const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
     result.chart = refiner.chart().chart;
-    result.uv = refiner.chart().uv;
-    const Newton_result newton = final_map(result.chart, result.uv);
+    const Newton_result newton = final_map<LinearSolver>(m_fine.mesh, m_fine.shapes, refiner.chart(),
+                                                         m_parameters.do_bijective, m_control, result.uv);
     result.energy = newton.energy;
     result.has_map = newton.outcome != Newton_outcome::FAILED;
     if(!result.has_map || m_control.is_stopped())
       result.status = failure(m_control);
     m_control.report(Phase::PARAMETERIZE, 1);
-  }
-
-  Newton_result final_map(const Chart& chart, std::vector<Eigen::Vector2d>& uv) const
-  {
-    Newton_options options;
-    options.stop = [this](const Newton_state&) { return !m_control.go_further(); };
-    const std::vector<Eigen::Vector3d> points = chart_points(m_fine.mesh, chart);
-    Chart_parameterizer<LinearSolver> parameterizer(chart, points, m_fine.shapes);
-    const Newton_result result = parameterizer.improve_isometrically(uv, options);
-    if(!m_parameters.do_bijective)
-      return result;
-    return Surface_mesh_parameterization::internal::make_bijective<LinearSolver>(chart, points, m_fine.shapes, uv,
-                                                                                 result, options);
   }
 
   const bool m_is_sphere;

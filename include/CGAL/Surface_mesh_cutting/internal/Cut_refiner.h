@@ -74,9 +74,12 @@ public:
     return m_tree.status;
   }
 
-  // Maps the surface opened along the connected cut; the second of the calls. False if no flip-free
-  // map was found or the run was stopped.
-  bool map() { return map(m_tree.cut, std::numeric_limits<double>::infinity()); }
+  // Maps the surface opened along the connected cut, as precisely as said; the second of the calls. False if no
+  // flip-free map was found or the run was stopped.
+  bool map(double precision = Running_map<LinearSolver>::running_precision)
+  {
+    return map(m_tree.cut, std::numeric_limits<double>::infinity(), precision);
+  }
 
   // Goes on with another cut through the features, and its map, instead of the tree.
   void replace_tree(Open_chart chart)
@@ -189,9 +192,9 @@ private:
 
   // Maps the surface opened along the cut. False also if the energy is above `bound`, as soon as that is
   // foreseeable.
-  bool map(const Cut& cut, double bound)
+  bool map(const Cut& cut, double bound, double precision = Running_map<LinearSolver>::running_precision)
   {
-    if(!m_map.initialize(cut, bound))
+    if(!m_map.initialize(cut, bound, precision))
       return false;
     record();
     return true;

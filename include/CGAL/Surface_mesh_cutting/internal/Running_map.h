@@ -41,6 +41,7 @@ struct Open_chart
   Chart chart;
   std::vector<Eigen::Vector2d> uv;
   double energy = 0; // area-averaged, converged
+  double precision = std::numeric_limits<double>::infinity(); // the decrement that was asked for, of the energy
 };
 
 // The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
@@ -49,6 +50,10 @@ template <typename LinearSolver>
 class Running_map
 {
 public:
+  // The energy has to be known far better than epsilon_iso, not better: what the last step leaves is
+  // far less than the decrement before it.
+  static constexpr double running_precision = 1e-4;
+
   // Work is given up, too, once `is_vain()`; what is there then has to be replaced by `restore()`.
   Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control,
               std::function<bool()> is_vain = [] { return false; })
@@ -57,14 +62,17 @@ public:
   {}
 
   // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
-  // above `bound`, or if the run was stopped.
-  bool initialize(const Cut& cut, double bound = std::numeric_limits<double>::infinity())
+  // above `bound`, or if the run was stopped. `precision`: see `Newton_options::decrement`.
+  bool initialize(const Cut& cut, double bound = std::numeric_limits<double>::infinity(),
+                  double precision = running_precision)
   {
     m_state.cut = cut;
     m_state.chart = make_chart(m_mesh, cut);
     m_state.energy = std::numeric_limits<double>::infinity();
+    m_state.precision = precision;
     Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
     Newton_options o = options();
+    o.decrement = precision;
     if(!parameterizer.isometric_start(m_state.uv, o))
       return false;
     o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
@@ -128,6 +136,7 @@ public:
       }
     }
     m_state.energy = result.energy;
+    m_state.precision = running_precision;
   }
 
   // Opens the slit in any case.
@@ -213,12 +222,10 @@ private:
     m_state.uv = trial.former_uv;
   }
 
-  // The energy has to be known far better than epsilon_iso, not better: what the last step leaves is
-  // far less than the decrement before it.
   Newton_options options()
   {
     Newton_options o;
-    o.decrement = 1e-4;
+    o.decrement = running_precision;
     o.stop = [this](const Newton_state&) { return !go_further(); };
     return o;
   }

@@ -126,14 +126,16 @@ public:
       if(!place(m_star, uv[placed.back()]))
         return false;
     }
-    // The stars have changed since: another round takes out what would hold up the global solve.
-    for(int v : placed)
-    {
-      if(m_keeps_region && m_chart.is_on_border(v))
-        continue;
-      collect_star(v, uv);
-      place.improve(m_star, uv[v]);
-    }
+    // The stars have changed since: further rounds take out what would hold up the global solve.
+    constexpr int number_of_rounds = 2;
+    for(int round = 0; round < number_of_rounds; ++round)
+      for(int v : placed)
+      {
+        if(m_keeps_region && m_chart.is_on_border(v))
+          continue;
+        collect_star(v, uv);
+        place.improve(m_star, uv[v]);
+      }
     return true;
   }
 

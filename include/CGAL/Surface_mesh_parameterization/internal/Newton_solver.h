@@ -113,7 +113,7 @@ public:
         return result;
       }
       m_memory.clear();
-      for(int i = 0; i <= maximum_reuse; ++i)
+      for(int i = 0; i <= maximum_reuse(); ++i)
       {
         if(options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement}))
         {
@@ -169,8 +169,13 @@ private:
     double product = 0;
   };
 
-  // How many further directions one factorization serves at most.
-  static constexpr int maximum_reuse = 8;
+  // How many further directions one factorization serves at most. With nested dissection it costs about the
+  // square root of the number of unknowns times as much as a direction.
+  int maximum_reuse() const
+  {
+    constexpr int least = 8, most = 30;
+    return std::clamp(int(std::sqrt(double(m_system.number_of_unknowns())) / 10), least, most);
+  }
 
   // Assembles and solves for the Newton direction. The diagonal shift is relative to each entry: it
   // fixes the gauge (MIPS does not depend on scale and rotation) and grows only where rounding

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FINAL_MAP_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FINAL_MAP_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The map that is handed out: the running one, solved to the end unless it already is, and on request
+// made bijective. `uv` receives it.
+template <typename LinearSolver>
+Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Open_chart& running,
+                        bool do_bijective, Run_control& control, std::vector<Eigen::Vector2d>& uv)
+{
+  Newton_options options;
+  options.stop = [&control](const Newton_state&) { return !control.go_further(); };
+  const std::vector<Eigen::Vector3d> points = chart_points(mesh, running.chart);
+  Newton_result result;
+  uv = running.uv;
+  if(running.precision <= options.decrement)
+  {
+    result.outcome = Newton_outcome::CONVERGED;
+    result.energy = running.energy;
+  }
+  else
+    result = Chart_parameterizer<LinearSolver>(running.chart, points, shapes).improve_isometrically(uv, options);
+  if(!do_bijective)
+    return result;
+  return Surface_mesh_parameterization::internal::make_bijective<LinearSolver>(running.chart, points, shapes, uv,
+                                                                               result, options);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FINAL_MAP_H
