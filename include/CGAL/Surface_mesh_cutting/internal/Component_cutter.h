@@ -313,7 +313,10 @@ private:
   {
     constexpr int maximum_number_of_rounds = 6, solves = 10;
     const double bound = m_parameters.maximum_distortion, precision = 0.02 * (bound - ideal);
-    double failed = bound, kept = ideal, target = 2 * bound - best.energy;
+    // Down by what is missing, and not by less than a tenth nor by more than half of what is left.
+    const auto lowered = [&](double former, double missing)
+    { return (std::max)(former - (std::max)(missing, 0.1 * (bound - ideal)), (former + ideal) / 2); };
+    double failed = bound, kept = ideal, target = lowered(bound, best.energy - bound);
     for(int round = 0; round < maximum_number_of_rounds && failed - kept > precision && best.status; ++round)
     {
       Refiner refiner = start;
@@ -322,8 +325,7 @@ private:
       result.add(refiner.trade_offs());
       const bool is_kept = result.has_map && result.energy <= bound;
       (is_kept ? kept : failed) = target;
-      // Nothing is known to keep the bound at first: down by what is still missing.
-      target = is_kept || best.energy <= bound ? (kept + failed) / 2 : (std::max)(target + bound - result.energy, ideal);
+      target = kept > ideal ? (kept + failed) / 2 : lowered(target, result.energy - bound);
       if(is_kept ? best.energy > bound || result.length < best.length
                  : result.has_map && result.energy < best.energy && best.energy > bound)
         best = std::move(result);
