@@ -41,7 +41,7 @@ struct Open_chart
   Chart chart;
   std::vector<Eigen::Vector2d> uv;
   double energy = 0; // area-averaged, converged
-  double precision = std::numeric_limits<double>::infinity(); // the decrement that was asked for, of the energy
+  double precision = std::numeric_limits<double>::infinity(); // the decrement that was reached, of the energy
 };
 
 // The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
@@ -69,7 +69,7 @@ public:
     m_state.cut = cut;
     m_state.chart = make_chart(m_mesh, cut);
     m_state.energy = std::numeric_limits<double>::infinity();
-    m_state.precision = precision;
+    m_state.precision = std::numeric_limits<double>::infinity();
     Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
     Newton_options o = options();
     o.decrement = precision;
@@ -78,6 +78,8 @@ public:
     o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
     const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
     m_state.energy = result.energy;
+    if(result.outcome == Newton_outcome::CONVERGED)
+      m_state.precision = precision;
     return result.outcome != Newton_outcome::FAILED && result.energy <= bound && !is_stopped();
   }
 
