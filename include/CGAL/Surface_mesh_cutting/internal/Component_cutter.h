@@ -216,7 +216,8 @@ private:
       Refiner refiner = make_refiner(resolution);
       if(refiner.connect(detected.features) && refiner.map())
       {
-        refine(refiner, m_parameters.number_of_shortening_solves, m_parameters.maximum_distortion, true);
+        constexpr bool keeps_tree = true; // only the features are handed on
+        refine(refiner, m_parameters.number_of_shortening_solves, m_parameters.maximum_distortion, keeps_tree);
         detected.features = refiner.features();
       }
       result.add(refiner.trade_offs());

@@ -62,8 +62,8 @@ public:
   // other references are kept.
   Cut_refiner(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
               const std::vector<int>& terminals, const Cutting_parameters& parameters, Run_control& control)
-    : m_mesh(mesh), m_shapes(shapes), m_constraints(constraints), m_terminals(terminals),
-      m_parameters(parameters), m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints), m_map(mesh, shapes, control)
+    : m_mesh(mesh), m_constraints(constraints), m_terminals(terminals), m_parameters(parameters),
+      m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints), m_map(mesh, shapes, control)
   {}
 
   // Connects the features; the first of the calls.
@@ -95,7 +95,6 @@ public:
   const Connected_cut& tree() const { return m_tree; }
   bool is_connected() const { return m_is_connected; }
   const Open_chart& chart() const { return m_map.state(); }
-  double length() const { return m_length; } // of the chart's cut
   // All cuts that were mapped.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
@@ -201,7 +200,7 @@ private:
   }
 
   // The most energy that a cut may have in exchange for so much length.
-  double largest_energy(const Refinement_limits& limits, double energy, double saved_length) const
+  static double largest_energy(const Refinement_limits& limits, double energy, double saved_length)
   {
     return (std::min)(limits.energy, energy + limits.energy_per_length * saved_length);
   }
@@ -217,13 +216,12 @@ private:
     connection.maximum_number_of_states
       = (std::min)(connection.maximum_number_of_states, m_parameters.number_of_states_while_refining);
     connect(connection);
-    const double saved = former.length - m_length;
-    if(m_tree.status && m_tree.cut == former.chart.cut)
-      return true;
-    if(m_tree.status && saved > 0 && map(m_tree.cut, largest_energy(limits, former.chart.energy, saved)))
-      return true;
     if(m_tree.status)
     {
+      const double saved = former.length - m_length;
+      if(m_tree.cut == former.chart.cut ||
+         (saved > 0 && map(m_tree.cut, largest_energy(limits, former.chart.energy, saved))))
+        return true;
       former.tree = std::move(m_tree);
       former.is_connected = true;
     }
@@ -299,7 +297,6 @@ private:
   }
 
   const Flat_mesh& m_mesh;
-  const std::vector<Rest_shape>& m_shapes;
   const Edge_constraints& m_constraints;
   const std::vector<int>& m_terminals;
   const Cutting_parameters& m_parameters;

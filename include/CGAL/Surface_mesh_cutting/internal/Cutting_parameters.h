@@ -49,7 +49,7 @@ struct Cutting_parameters
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
   // How the feature points are connected; its decrease is epsilon_len as a length.
   CGAL::internal::Steiner_tree::Options connection;
-  // At most, for each of the many trees while a cut is refined. A hundred points can use up any
+  // At most, for each of the trees that are tried while a cut is refined. A hundred points can use up any
   // budget; most trees are proven optimal within this one.
   std::size_t number_of_states_while_refining = 500000;
   unsigned int random_seed = 0;
