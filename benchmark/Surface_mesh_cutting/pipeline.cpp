@@ -8,7 +8,8 @@
 // The default is CGAL's data set. Times are medians over the repetitions, those of the phases and `cut_s`, all
 // without the final UVs, are processor seconds. `--coarse 0` stays at full resolution. With `--cold-map`, `cold_s`
 // is what a symmetric Dirichlet parameterization of the surface opened along the final cut takes from nothing
-// (connected surfaces only). With `--baseline`, the last column says how many times as long that took.
+// (connected surfaces only), and `cold_tutte_s` the same the usual way, by Newton's method at full resolution from
+// Tutte's embedding. With `--baseline`, the last column says how many times as long that took.
 // Means and ratios follow on the standard error output.
 
 #include "Baseline.h"
@@ -54,20 +55,26 @@ double median_seconds(const std::vector<SMC::Phase_times>& times, double SMC::Ph
   return median(values);
 }
 
+// What everyone pays who wants UVs: one map from nothing of the surface opened along the cut.
+struct Cold_map_seconds
+{
+  double hierarchical; // by the package
+  double from_tutte;   // the usual way, all at full resolution: Tutte's embedding, then Newton's method
+};
+
 struct Measurement
 {
   Result result;
   std::vector<SMC::Phase_times> cpu_seconds, seconds;
-  std::optional<double> cold_seconds;
+  std::optional<Cold_map_seconds> cold_map;
   double memory = 0; // in megabytes
 
   double total() const { return median_seconds(cpu_seconds, &SMC::Phase_times::total); }
   double cut() const { return total() - median_seconds(cpu_seconds, &SMC::Phase_times::parameterize); }
 };
 
-// What everyone pays who wants UVs: one map from nothing of the surface opened along the cut.
 template <typename SolverTraits>
-std::optional<double> seconds_of_cold_map(const Mesh& mesh, Cut_map is_cut, const Result& result)
+std::optional<Cold_map_seconds> seconds_of_cold_map(const Mesh& mesh, Cut_map is_cut, const Result& result)
 {
   if(!result || result.components != 1)
     return std::nullopt;
@@ -76,13 +83,24 @@ std::optional<double> seconds_of_cold_map(const Mesh& mesh, Cut_map is_cut, cons
   const auto border = CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first;
   if(chart.read(seam_mesh, border) != SMP::OK)
     return std::nullopt;
-  const std::clock_t start = std::clock();
-  const auto shapes = SMP::internal::rest_shapes(chart.chart().triangles(), chart.points());
-  SMP::internal::Chart_parameterizer<typename SMC::internal::Engine_solver<SolverTraits>::type>
-    parameterizer(chart.chart(), chart.points(), shapes);
-  std::vector<Eigen::Vector2d> uv;
-  parameterizer.isometric_map(uv, SMP::internal::Newton_options());
-  return double(std::clock() - start) / CLOCKS_PER_SEC;
+  const auto seconds_of = [&](const auto& map)
+  {
+    const std::clock_t start = std::clock();
+    const auto shapes = SMP::internal::rest_shapes(chart.chart().triangles(), chart.points());
+    SMP::internal::Chart_parameterizer<typename SMC::internal::Engine_solver<SolverTraits>::type>
+      parameterizer(chart.chart(), chart.points(), shapes);
+    std::vector<Eigen::Vector2d> uv;
+    map(parameterizer, shapes, uv);
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  const SMP::internal::Newton_options options;
+  return Cold_map_seconds{
+    seconds_of([&](auto& parameterizer, const auto&, auto& uv) { parameterizer.isometric_map(uv, options); }),
+    seconds_of([&](auto& parameterizer, const auto& shapes, auto& uv)
+               {
+                 if(SMP::internal::tutte_map(chart.chart(), chart.points(), SMP::internal::surface_area(shapes), uv))
+                   parameterizer.improve_isometrically(uv, options);
+               })};
 }
 
 template <typename SolverTraits>
@@ -109,7 +127,7 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
   }
   measurement.memory = peak_memory();
   if(options.measures_cold_map)
-    measurement.cold_seconds = seconds_of_cold_map<SolverTraits>(mesh, is_cut, measurement.result);
+    measurement.cold_map = seconds_of_cold_map<SolverTraits>(mesh, is_cut, measurement.result);
   return measurement;
 }
 
@@ -130,6 +148,18 @@ std::ostream& operator<<(std::ostream& out, const std::optional<double>& value)
   return value ? out << *value : out;
 }
 
+std::ostream& operator<<(std::ostream& out, const std::optional<Cold_map_seconds>& seconds)
+{
+  return seconds ? out << seconds->hierarchical << ',' << seconds->from_tutte : out << ',';
+}
+
+void print_ratios(std::ostream& out, const char* name, const std::vector<double>& ratios)
+{
+  if(!ratios.empty())
+    out << name << ": median " << median(ratios) << ", largest " << *std::max_element(ratios.begin(), ratios.end())
+        << "\n";
+}
+
 void print(const std::string& file, int seed, const Mesh& mesh, const Measurement& m, std::optional<double> ratio)
 {
   const Result& r = m.result;
@@ -141,7 +171,7 @@ void print(const std::string& file, int seed, const Mesh& mesh, const Measuremen
                                           &SMC::Phase_times::parameterize, &SMC::Phase_times::total})
     std::cout << ',' << median_seconds(m.cpu_seconds, phase);
   std::cout << ',' << m.cut() << ',' << median_seconds(m.seconds, &SMC::Phase_times::total) << ',' << m.memory << ','
-            << m.cold_seconds << ',' << ratio << std::endl;
+            << m.cold_map << ',' << ratio << std::endl;
 }
 
 // Means over all runs that succeeded.
@@ -161,8 +191,11 @@ public:
     for(std::size_t i = 0; i < values.size(); ++i)
       m_sums[i] += values[i];
     ++m_runs;
-    if(m.cold_seconds)
-      m_cold_ratios.push_back(m.total() / *m.cold_seconds);
+    if(m.cold_map)
+    {
+      m_cold_ratios.push_back(m.total() / m.cold_map->hierarchical);
+      m_tutte_ratios.push_back(m.total() / m.cold_map->from_tutte);
+    }
   }
 
   void print(std::ostream& out) const
@@ -171,15 +204,14 @@ public:
     out << m_runs << " runs done, " << m_failures << " not; means: " << m_sums[0] / n << " candidates, "
         << m_sums[1] / n << " features, L " << m_sums[2] / n << ", E " << m_sums[3] / n << "; in sum "
         << m_sums[4] << " s without the final UVs, " << m_sums[5] << " s with them\n";
-    if(!m_cold_ratios.empty())
-      out << "total over one cold map of the final cut: median " << median(m_cold_ratios) << ", largest "
-          << *std::max_element(m_cold_ratios.begin(), m_cold_ratios.end()) << "\n";
+    print_ratios(out, "total over one cold map of the final cut", m_cold_ratios);
+    print_ratios(out, "total over one from Tutte's embedding at full resolution", m_tutte_ratios);
   }
 
 private:
   int m_runs = 0, m_failures = 0;
   std::array<double, 6> m_sums = {};
-  std::vector<double> m_cold_ratios;
+  std::vector<double> m_cold_ratios, m_tutte_ratios;
 };
 
 void run(const Pipeline_options& options)
@@ -190,7 +222,7 @@ void run(const Pipeline_options& options)
   Baseline baseline = options.baseline.empty() ? Baseline() : Baseline(options.baseline);
   Summary summary;
   std::cout << "file,seed,status,triangles,genus,borders,candidates,features,auxiliary,L,E,E_max,candidates_s,filter_s,"
-               "connect_s,refine_s,parameterize_s,total_s,cut_s,wall_s,memory_mb,cold_s,ratio" << std::endl;
+               "connect_s,refine_s,parameterize_s,total_s,cut_s,wall_s,memory_mb,cold_s,cold_tutte_s,ratio" << std::endl;
   for(const std::filesystem::path& file : options.files)
   {
     const std::string name = file.filename().string();

@@ -61,10 +61,12 @@ private:
   double power_of_ten(double low, double high);
   double size() const;
   Triangle& pick_face() { return m_faces[std::size_t(pick(int(m_faces.size())))]; }
-  Point& point(int v) { return m_points[std::size_t(v)]; }
+  // A redirected corner may lead to a vertex that does not exist.
+  Point& point(int v) { return v < int(m_points.size()) ? m_points[std::size_t(v)] : m_stray_point; }
   std::vector<int> patch();
 
   std::vector<Point> m_points;
+  Point m_stray_point = {};
   std::vector<Triangle> m_faces;
   std::mt19937_64 m_random;
   std::string m_description;

@@ -24,7 +24,7 @@ namespace {
 
 // Seconds of processor time. Sanitizers take their time.
 #if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(undefined_behavior_sanitizer)
 #define IS_SANITIZED
 #endif
 #endif
