@@ -56,7 +56,10 @@ struct Flat_status
   explicit operator bool() const { return finding.code == Status_code::OK; }
 };
 
-inline Flat_status stopped_status() { return Flat_status(Status_code::STOPPED, "the visitor ended the run"); }
+inline Flat_status stopped_status()
+{
+  return Flat_status(Status_code::STOPPED, "the visitor or the time limit ended the run");
+}
 
 } // namespace internal
 } // namespace Surface_mesh_cutting
