@@ -55,7 +55,7 @@ public:
       if(m_instance.search(states, m_go_further))
         return;
       recombine(double(states));
-      if(divisor == 1 || !m_instance.reduce(4, 0.98, m_go_further))
+      if(divisor == 1 || !m_instance.reduce(number_of_rounds(states), 0.98, m_go_further))
         return;
     }
   }
@@ -67,6 +67,13 @@ public:
 private:
   static constexpr std::size_t minimum_number_of_states = 500000; // of the first run of the programme
   static constexpr int batch_size = 2; // unions of more trees are seldom solved with few states
+
+  // A round of reductions costs about as much as a state for each edge.
+  int number_of_rounds(std::size_t states) const
+  {
+    const std::size_t size = std::size_t(m_instance.graph().number_of_edges());
+    return states >= 4 * size ? 4 : (std::max)(1, int(states / size));
+  }
 
   double minimum_decrease() const { return Bounded_instance::tolerance * tree().length; }
 
