@@ -69,7 +69,7 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{the number of faces of the coarser version on which feature points are found; components of up to 5/4 as many faces are not coarsened, and none is with `0`}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`5000`, and `0` with `Effort::BEST` or `faithful(true)`}
-///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected. A component with an initial cut is not coarsened}
+///     \cgalParamExtra{constraints and terminals are observed on the mesh itself, where the points are connected. A component with an initial cut is not coarsened. On the coarser version, points have to bring only 0.85 times the decrease, since a coarse map resolves less of it}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_length_decrease}
 ///     \cgalParamDescription{the decrease of the cut length that an auxiliary point must bring when the points are connected greedily, as a fraction of the length of the bounding box diagonal, \f$ \varepsilon_{len} \f$}
