@@ -89,7 +89,8 @@ public:
   bool factorize(const Sparse_matrix& upper)
   {
     // `factor()` keeps a reference to the matrix: it has to live as long as the solver.
-    m_matrix = std::make_unique<Matrix>(std::size_t(upper.rows()), std::size_t(upper.cols()));
+    // Of one dimension: the constructor of CGAL 5.5 with two of type std::size_t reads what is not set.
+    m_matrix = std::make_unique<Matrix>(std::size_t(upper.rows()));
     for(int column = 0; column < upper.outerSize(); ++column)
       for(Sparse_matrix::InnerIterator it(upper, column); it; ++it)
       {
