@@ -14,12 +14,12 @@ shift $(($# < 2 ? $# : 2))
 "$root/scripts/install_dependencies.sh" build sanitize
 "$root/scripts/get_data.sh"
 cd "$root"
-cmake --preset address --log-level=NOTICE
-cmake --build build/address --target "fuzz_$target"
+cmake --preset fuzzers --log-level=NOTICE
+cmake --build build/fuzzers --target "fuzz_$target"
 
 folder=build/fuzz/$target
 mkdir -p "$folder/inputs"
 python3 -B test/fuzz/make_seeds.py "$target" build/data/meshes "$folder/inputs"
 cd "$folder"
-"$root/build/address/bin/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=20000 \
+"$root/build/fuzzers/bin/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=20000 \
   -close_fd_mask=1 -print_final_stats=1 "$@" inputs
