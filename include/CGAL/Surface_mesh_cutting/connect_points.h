@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
@@ -156,6 +157,13 @@ struct Connection_result
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
 ///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run ends with
+///                           `Status_code::STOPPED`; 0 means no limit}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return what is known about the cut, and a status: `Status_code::OK`;
@@ -181,13 +189,14 @@ connect_points(const TriangleMesh& tmesh, const VertexRange& points, EdgeIsCutMa
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
 
+  Default_visitor default_visitor;
+  auto&& visitor
+    = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Run_control control = internal::read_run_control(visitor, np);
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
-  Default_visitor default_visitor;
-  auto&& visitor
-    = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   const internal::Request request = internal::read_request(np);
   internal::Edge_constraints constraints;
   internal::Flat_status status = adapter.status();
@@ -202,8 +211,8 @@ connect_points(const TriangleMesh& tmesh, const VertexRange& points, EdgeIsCutMa
     const internal::Flat_mesh& mesh = adapter.mesh();
     const internal::Connected_cut connected = internal::cut_through_points<ConcurrencyTag>(
       mesh, constraints, internal::read_vertices(tmesh, adapter, points), request,
-      [&visitor] { return bool(visitor.go_further()); });
-    status.finding = connected.status.finding;
+      [&control] { return control.go_further(); });
+    status.finding = control.is_stopped() ? internal::stopped_status().finding : connected.status.finding;
     if(connected.has_cut())
     {
       adapter.write_cut(connected.cut, edge_is_cut_map);

@@ -19,7 +19,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -110,12 +112,26 @@ struct Handles_result
 ///                    as value type}
 ///     \cgalParamDefault{no edge is forbidden}
 ///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{can end the run}
+///     \cgalParamType{a class model of `CuttingVisitor`}
+///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run ends with
+///                           `Status_code::STOPPED`; 0 means no limit}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the loops and their length, and a status: `Status_code::OK`;
 ///         `Status_code::INFEASIBLE_CONSTRAINTS` with edges that are constrained and forbidden, or
 ///         the forbidden edges that keep a handle from being cut; `Status_code::WRONG_PARAMETER`
-///         with the edges of invalid weight; or, for a surface that the package does not take,
+///         with the edges of invalid weight; `Status_code::STOPPED`, without loops; or, for a surface that the package does not take,
 ///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
 ///         or `Status_code::INVALID_POINT`.
 ///
@@ -127,7 +143,12 @@ Handles_result<TriangleMesh> cut_handles(const TriangleMesh& tmesh, EdgeIsCutMap
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  using parameters::get_parameter_reference;
 
+  Default_visitor default_visitor;
+  auto&& visitor
+    = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Run_control control = internal::read_run_control(visitor, np);
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -140,7 +161,8 @@ Handles_result<TriangleMesh> cut_handles(const TriangleMesh& tmesh, EdgeIsCutMap
     status.finding = internal::read_edge_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    handles = internal::cut_handles_of_components(adapter.mesh(), constraints);
+    handles = internal::cut_handles_of_components(adapter.mesh(), constraints,
+                                                  [&control] { return control.go_further(); });
     status.finding = handles.status.finding;
   }
   result.status = adapter.translate(status);

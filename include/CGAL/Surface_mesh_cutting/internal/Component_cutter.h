@@ -326,6 +326,9 @@ private:
   void tighten(const Refiner& start, Component_result& best)
   {
     constexpr int maximum_number_of_rounds = 6, solves = 10;
+    // As long as no round keeps the bound: about twenty seconds, after which none has been seen to keep it.
+    constexpr double maximum_number_of_solved_faces = 5e6;
+    double number_of_solved_faces = 0;
     const double bound = m_parameters.maximum_distortion, precision = 0.02 * (bound - ideal);
     // Down by what is missing, and not by less than a tenth nor by more than half of what is left.
     const auto lowered = [&](double former, double missing)
@@ -333,9 +336,12 @@ private:
     double failed = bound, kept = ideal, target = lowered(bound, best.energy - bound);
     for(int round = 0; round < maximum_number_of_rounds && failed - kept > precision && best.status; ++round)
     {
+      if(kept == ideal && number_of_solved_faces > maximum_number_of_solved_faces)
+        return;
       Refiner refiner = start;
       Component_result result = best;
       refine_and_parameterize(refiner, target, solves, result);
+      number_of_solved_faces += double(refiner.trade_offs().size()) * m_fine.mesh.number_of_faces();
       result.add(refiner.trade_offs());
       const bool is_kept = result.has_map && result.energy <= bound;
       (is_kept ? kept : failed) = target;

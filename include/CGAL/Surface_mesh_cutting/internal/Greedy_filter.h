@@ -94,7 +94,7 @@ private:
   {
     const double total = double(queue.size());
     std::size_t blocked = 0;
-    while(!queue.empty() && m_control.go_further())
+    while(!queue.empty() && !gives_up() && m_control.go_further())
     {
       m_control.report(Phase::FILTER, 1 - double(queue.size()) / total);
       int v = queue.front();
@@ -119,6 +119,12 @@ private:
       m_disks.release(v);
       judge(v, path, queue);
     }
+  }
+
+  bool gives_up() const
+  {
+    constexpr std::size_t enough_hopeless_features = 50;
+    return map().is_hopeless() && m_features.size() > enough_hopeless_features;
   }
 
   // A path that connects a candidate to the cut.
@@ -252,7 +258,7 @@ private:
     const std::vector<char> is_reachable = reachable_vertices(m_mesh, m_constraints);
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       is_excluded[v] = is_excluded[v] || !is_reachable[v];
-    for(int failures = 0; failures < maximum_failures && m_control.go_further();)
+    for(int failures = 0; failures < maximum_failures && !gives_up() && m_control.go_further();)
     {
       const int v = most_distorted_vertex(is_excluded);
       std::vector<int> path;

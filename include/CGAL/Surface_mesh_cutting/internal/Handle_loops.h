@@ -161,13 +161,13 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
 }
 
 // The same for each component of a mesh, which may have isolated vertices.
-inline Handle_loops cut_handles_of_components(const Flat_mesh& whole,
-                                              const Edge_constraints& constraints)
+inline Handle_loops cut_handles_of_components(const Flat_mesh& whole, const Edge_constraints& constraints,
+                                              const std::function<bool()>& go_further)
 {
   Handle_loops result{Flat_status(), {}, constraints.mandatory};
   for(const Flat_component& component : split_into_components(whole))
   {
-    const Handle_loops handles = cut_handles(component.mesh, restriction(constraints, component));
+    const Handle_loops handles = cut_handles(component.mesh, restriction(constraints, component), go_further);
     if(!handles.status)
       return Handle_loops{component.in_whole(handles.status), {}, constraints.mandatory};
     component.add_to(handles.cut, result.cut);

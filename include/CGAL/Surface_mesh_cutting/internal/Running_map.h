@@ -53,6 +53,7 @@ public:
   // The energy has to be known far better than epsilon_iso, not better: what the last step leaves is
   // far less than the decrement before it.
   static constexpr double running_precision = 1e-4;
+  static constexpr double hopeless_energy = 100; // area-averaged
 
   // Work is given up, too, once `is_vain()`; what is there then has to be replaced by `restore()`.
   Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control,
@@ -116,15 +117,19 @@ public:
     return false;
   }
 
+  // Whether most of the surface is so degenerate that no cut leads to a useful map: the mean energy of
+  // usual first maps is below 10. Then every slit gains, so that searches for slits need a limit.
+  bool is_hopeless() const { return m_state.energy > hopeless_energy; }
+
   // Far from the optimum, which a slit that changes much can leave the map, starting anew through
-  // the hierarchy takes fewer solves than going on.
+  // the hierarchy takes fewer solves than going on. A hopeless map came from there already.
   void converge()
   {
     constexpr int patience = 6;
     Newton_options o = options();
     o.maximum_iterations = patience;
     Newton_result result = solve(o);
-    if(result.outcome == Newton_outcome::ITERATION_LIMIT)
+    if(result.outcome == Newton_outcome::ITERATION_LIMIT && result.energy <= hopeless_energy)
     {
       std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
       Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);

@@ -189,9 +189,11 @@ inline double largest_remote_part(const Flat_mesh& mesh, const Shortest_paths& f
 
 // The second cut (paper, Section 3.1.1, Steps 3 to 6): far from the first one and its maximizers. The
 // forbidden region shrinks until the largest part outside holds `minimum_area_ratio` of the area
-// and a path of useful length.
+// and, beyond the paper, a path of useful length; at radius 0 the part is the whole surface. Empty if
+// the run was stopped.
 inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>& first_cut,
-                                   const std::vector<int>& first_maximizers, const Cutting_parameters& parameters)
+                                   const std::vector<int>& first_maximizers, const Cutting_parameters& parameters,
+                                   Run_control& control)
 {
   constexpr double shrinking = 0.9, useful_length = 0.1;
   Shortest_paths from_centers(mesh.graph());
@@ -211,9 +213,11 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
   const double average = average_edge_length(mesh);
   std::vector<char> is_in_part;
   double radius = parameters.forbidden_radius * average;
-  while(true)
+  while(control.go_further())
   {
-    if(largest_remote_part(mesh, from_centers, radius, is_in_part) >= parameters.minimum_area_ratio * area)
+    const double remote_area = largest_remote_part(mesh, from_centers, radius, is_in_part);
+    // Summed in another order, the whole area may seem less than itself.
+    if(radius == 0 || remote_area >= parameters.minimum_area_ratio * area)
     {
       const int start = mesh.triangles()[std::find(is_in_part.begin(), is_in_part.end(), char(1))
                                          - is_in_part.begin()][0];
@@ -223,6 +227,7 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
     }
     radius = radius > 0.01 * average ? shrinking * radius : 0;
   }
+  return {};
 }
 
 // The candidates of a surface that is a disk already, or is opened to one along `cut` in any case.
@@ -255,7 +260,10 @@ std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<
   control.report(Phase::CANDIDATES, 0.5);
   if(first_distortion.empty())
     return {};
-  const std::vector<int> second = second_cut(mesh, first, local_maximizers(mesh, first_distortion), parameters);
+  const std::vector<int> second
+    = second_cut(mesh, first, local_maximizers(mesh, first_distortion), parameters, control);
+  if(control.is_stopped())
+    return {};
   std::vector<double> distortion
     = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, second), parameters, control);
   control.report(Phase::CANDIDATES, 1);

@@ -58,7 +58,7 @@ Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constra
     result.status = keep_one_island_per_part(mesh, terminals, constraints);
   if(!result.status)
     return result;
-  const Handle_loops handles = cut_handles_of_components(mesh, constraints);
+  const Handle_loops handles = cut_handles_of_components(mesh, constraints, go_further);
   result.status = handles.status;
   if(!result.status)
     return result;

@@ -17,17 +17,14 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
-#include <CGAL/Surface_mesh_cutting/Visitor.h>
 #include <CGAL/Surface_mesh_cutting/internal/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
-#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -147,20 +144,6 @@ inline Flat_status check_parameters(const Cutting_parameters& p)
   if(!is_non_negative(p.forbidden_radius))
     return refuse("forbidden_radius", "finite and not negative");
   return Flat_status();
-}
-
-// Calls the visitor, and ends the run once `seconds` have passed (0: no limit).
-template <typename Visitor>
-Run_control make_run_control(Visitor& visitor, double seconds)
-{
-  const auto start = std::chrono::steady_clock::now();
-  return Run_control(
-    [&visitor, start, seconds]
-    {
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-      return visitor.go_further() && !(seconds > 0 && elapsed.count() > seconds);
-    },
-    [&visitor](Phase phase, double fraction) { visitor.progress(phase, fraction); });
 }
 
 // The engine's solver for what `sparse_linear_solver` gives, a model of CGAL's

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_cutter.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -68,14 +69,13 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
 
   Phase_clock clock;
   Unwrap_result<TriangleMesh> result;
+  Default_visitor default_visitor;
+  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  Run_control control = read_run_control(visitor, np);
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   const Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
-  Default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  Run_control control = make_run_control(
-    visitor, double(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.)));
   const Request request = read_request(np);
 
   Flat_status status = adapter.status();
@@ -93,6 +93,8 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
     translate(found, adapter, result);
     if(found.has_result)
       write(adapter, found);
+    if(control.is_stopped())
+      status.finding = stopped_status().finding; // whatever else was found may come from that
   }
   result.status = adapter.translate(status);
   result.seconds = clock.wall();
