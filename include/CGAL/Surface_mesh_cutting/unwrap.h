@@ -54,8 +54,8 @@ namespace Surface_mesh_cutting {
 ///                           they of the same chart or of different ones}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{The cut stays the same. Flattening takes about three times as long where charts would overlap
-///                     otherwise.}
+///     \cgalParamExtra{The cut stays the same unless `maximum_distortion` requires a longer one. Flattening takes about
+///                     three times as long where charts would overlap otherwise.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \copydetails PkgSurfaceMeshCuttingQualityParameters
