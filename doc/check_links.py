@@ -1,9 +1,9 @@
-"""Checks that all links and images of the built manual lead somewhere.
+"""Checks that the built manual is complete: its links lead somewhere, and it shows without a network.
 
 usage: check_links.py FOLDER
 
-Prints each link whose file or anchor does not exist, and exits with 1 if there is one. Links to other
-sites are not followed.
+Prints each link whose file or anchor does not exist and each script, style or image on another site,
+and exits with 1 if there is one. Links for the reader to other sites are not followed.
 """
 
 import sys
@@ -15,7 +15,7 @@ from urllib.parse import unquote, urldefrag
 class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
-        self.links, self.anchors = [], set()
+        self.links, self.needed, self.anchors = [], [], set()
         self.feed(path.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attributes):
@@ -24,6 +24,8 @@ class Page(HTMLParser):
                 self.anchors.add(value)
             elif name in ("href", "src"):
                 self.links.append(value or "")
+                if tag != "a":
+                    self.needed.append(value or "")
 
 
 def main():
@@ -31,12 +33,16 @@ def main():
         sys.exit(__doc__)
     folder = Path(sys.argv[1]).resolve()
     pages = {path: Page(path) for path in sorted(folder.rglob("*.html"))}
-    broken = 0
+    problems = 0
     for path, page in pages.items():
+        for link in page.needed:
+            if "//" in link and not link.startswith("data:"):
+                print(f"{path.relative_to(folder)}: needs a network for {link}")
+                problems += 1
         for link in page.links:
             if not link:
                 print(f"{path.relative_to(folder)}: empty link")
-                broken += 1
+                problems += 1
                 continue
             if "://" in link or link.startswith(("javascript:", "mailto:", "data:")):
                 continue
@@ -44,9 +50,9 @@ def main():
             target = (path.parent / unquote(file)).resolve() if file else path
             if not target.exists() or (anchor and target in pages and unquote(anchor) not in pages[target].anchors):
                 print(f"{path.relative_to(folder)}: broken link to {link}")
-                broken += 1
-    print(f"{len(pages)} pages, {broken} broken links")
-    sys.exit(bool(broken) or not pages)
+                problems += 1
+    print(f"{len(pages)} pages, {problems} problems")
+    sys.exit(bool(problems) or not pages)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ for purpose in "$@"; do
     cluster) wanted+=(parallel python3 slurmctld slurmd slurm-client munge openssh-client openssh-server) ;;
     evaluation) wanted+=(python3 gnuplot-nox) ;;
     sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
-    doc)   wanted+=(doxygen python3) ;;
+    doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
     ci)    wanted+=(clang) ;;
     *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;

@@ -212,16 +212,16 @@ def documented_headers(root):
                 yield f"{name}: PackageDescription.txt does not list {path.stem}"
 
 
-def same_parameters(root):
-    """the functions that run the whole method document a named parameter with the same words"""
-    first = {}
-    for function in "greedy_cut", "unwrap", "detect_feature_points":
-        name = f"include/CGAL/Surface_mesh_cutting/{function}.h"
-        text = " ".join(re.sub(r"^/// *", "", line) for line in read(root / name).splitlines())
-        for parameter, words in re.findall(r"\\cgalParamNBegin\{(\w+)\}(.*?)\\cgalParamNEnd", text):
-            other = first.setdefault(parameter, (name, words.split()))
-            if words.split() != other[1]:
-                yield f"{name}: {parameter} is not documented as in {other[0]}"
+def shared_parameters(root):
+    """the functions that run the method, and the groups that they copy, document each named parameter once"""
+    places = {}
+    headers = [f"include/CGAL/Surface_mesh_cutting/{function}.h"
+               for function in ("greedy_cut", "unwrap", "detect_feature_points")]
+    for name in *headers, "doc/Surface_mesh_cutting/Named_parameters.txt":
+        for parameter in re.findall(r"\\cgalParamNBegin\{(\w+)\}", read(root / name)):
+            if parameter in places:
+                yield f"{name}: {parameter} is documented in {places[parameter]}, too"
+            places.setdefault(parameter, name)
 
 
 def merge_note(root):
@@ -301,7 +301,7 @@ CHECKS = [
     listed_examples,
     shown_examples,
     figures,
-    same_parameters,
+    shared_parameters,
     merge_note,
     documented_headers,
     file_lengths,

@@ -2,8 +2,8 @@
 \ingroup PkgSurfaceMeshCuttingSteinerTreesConcepts
 \cgalConcept
 
-The concept `SteinerTreeVisitor` is what the named parameter `visitor` of `CGAL::steiner_tree()` requires. A visitor is copied
-unless it is passed by `std::ref`.
+The concept `SteinerTreeVisitor` describes the requirements for the named parameter `visitor` of
+`CGAL::steiner_tree()`, which copies the visitor unless it is passed by `std::ref`.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Steiner_tree::Default_visitor}
@@ -12,8 +12,8 @@ unless it is passed by `std::ref`.
 class SteinerTreeVisitor
 {
 public:
-  /// is asked often.
-  /// \return `false` to cancel the computation; the best tree found until then is returned, with the status
+  /// is called often.
+  /// \return `false` to cancel the computation, which then returns the best tree found so far, with the status
   ///         `CGAL::Steiner_tree::Status::CANCELLED`
   bool go_further();
 };

@@ -19,35 +19,35 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// how much work is put into a short cut; passed by the named parameter `effort`.
+/// how much work to spend on a short cut; the value of the named parameter `effort`.
 enum class Effort
 {
-  FAST,    ///< no more than feature points and the tree through them, unless `maximum_distortion` asks for more
-  DEFAULT, ///< then a few attempts to shorten the cut at about the same distortion
-  BEST     ///< several starts at full resolution and many such attempts, the best result is kept
+  FAST,    ///< feature detection and connection only, unless `maximum_distortion` requires more
+  DEFAULT, ///< also a few attempts to shorten the cut at about the same distortion
+  BEST     ///< several starts at full resolution, each with many such attempts; the best result wins
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// how the feature points are connected; passed by the named parameter `connection`.
+/// how to connect the feature points; the value of the named parameter `connection`.
 /// \sa `CGAL::steiner_tree()`
 enum class Connection
 {
   METRIC_CLOSURE,          ///< the minimum spanning tree of the shortest paths between all points
-  SHORTEST_PATH_HEURISTIC, ///< grows a tree by the path to the nearest point outside
-  GREEDY,                  ///< auxiliary points, added one by one; then exchanged, except with `faithful(true)`
-  EXACT,                   ///< the shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget
-  BEST                     ///< the shortest tree within a budget, else the best one found and a lower bound
+  SHORTEST_PATH_HEURISTIC, ///< a tree that grows by the path to the nearest point outside
+  GREEDY,                  ///< auxiliary points, added one by one and, except with `faithful(true)`, then exchanged
+  EXACT,                   ///< a shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget
+  BEST                     ///< a shortest tree within the budget, otherwise the best one found and a lower bound
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// how the conformal maps are computed from which candidates for feature points are read; passed by
-/// the named parameter `conformal_solver`.
+/// how to compute the conformal maps that yield the candidates for feature points; the value of the
+/// named parameter `conformal_solver`.
 enum class Conformal_solver
 {
   KP_NEWTON, ///< minimizes the MIPS energy, as in the paper
-  SPECTRAL   ///< spectral conformal parameterization, repaired where it flips triangles: one factorization
+  SPECTRAL   ///< spectral conformal parameterization, repaired where it flips triangles; a single factorization
 };
 
 } // namespace Surface_mesh_cutting

@@ -19,16 +19,16 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// seconds spent in the phases of a run. With `Parallel_tag`, components are treated at the same time:
-/// their phases overlap and may add up to more than the total.
+/// seconds spent in the phases of a run. With `Parallel_tag`, the phases of different components overlap
+/// and may add up to more than the total.
 struct Phase_times
 {
   double candidates = 0;   ///< handles, first cuts, conformal maps, candidates
-  double filter = 0;       ///< choice among the candidates
+  double filter = 0;       ///< selection among the candidates
   double connect = 0;      ///< the tree through the feature points
   double refine = 0;       ///< repair and shortening of the connected cut
   double parameterize = 0; ///< the final UVs
-  double total = 0;        ///< everything, also what belongs to no phase
+  double total = 0;        ///< everything, including work outside of these phases
 };
 
 } // namespace Surface_mesh_cutting

@@ -26,7 +26,7 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// names what was found and the elements of the mesh at which it was found.
+/// describes a finding and the elements of the mesh that it concerns.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
@@ -34,32 +34,32 @@ struct Finding
 {
   /// what was found.
   Status_code code = Status_code::OK;
-  /// one line for a human reader; it names the first of the elements: vertices and faces by their
-  /// positions in `vertices(tmesh)` and `faces(tmesh)`, edges by their two vertices. Empty if there
-  /// is nothing to tell. The `code` of a warning is `Status_code::OK`.
+  /// one line for a human reader. It names the first elements: vertices and faces by their positions
+  /// in `vertices(tmesh)` and `faces(tmesh)`, edges by their two vertices. Empty if there is nothing
+  /// to report. The `code` of a warning is `Status_code::OK`.
   std::string message;
-  /// the vertices at which it was found, at most one of the three lists is not empty.
+  /// the vertices concerned; at most one of the three lists is not empty.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
-  /// the edges at which it was found.
+  /// the edges concerned.
   std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
-  /// the faces at which it was found.
+  /// the faces concerned.
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> faces;
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// tells how a call ended. The finding that ended the call is the object itself, what was
-/// noticed on the way without ending it is in `warnings`.
-/// User data never violates a precondition: whatever is wrong with it comes back as a `Status`.
+/// tells how a call ended. The object itself is the finding that ended the call; `warnings` holds
+/// the findings that did not.
+/// User data never violates a precondition: a `Status` reports whatever is wrong with it.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
 struct Status : public Finding<TriangleMesh>
 {
-  /// what was handled but is worth knowing (isolated vertices, degenerate faces…).
+  /// what the call handled but the user should know: isolated vertices, degenerate faces…
   std::vector<Finding<TriangleMesh> > warnings;
 
-  /// `true` iff all that was asked for was computed.
+  /// `true` iff everything requested was computed.
   explicit operator bool() const { return this->code == Status_code::OK; }
 };
 

@@ -22,24 +22,24 @@ namespace Surface_mesh_cutting {
 /// how a call of this package ended.
 enum class Status_code
 {
-  OK,                      ///< all that was asked for was computed.
+  OK,                      ///< everything requested was computed.
   EMPTY_MESH,              ///< the mesh has no face.
   NOT_TRIANGULATED,        ///< a face is not a triangle. Witness: faces.
   NON_MANIFOLD,            ///< an edge with more than two faces, a vertex whose faces form
                            ///  more than one fan, or a face given twice. Witness: vertices or faces.
-  INCONSISTENT_ORIENTATION,///< neighboring faces disagree about which side is up. Witness: faces. Not of meshes in
-                           ///  a halfedge data structure, whose faces agree; for programs that read polygon soups.
+  INCONSISTENT_ORIENTATION,///< neighboring faces disagree about which side is up. Witness: faces. For programs that
+                           ///  read polygon soups; the faces of a halfedge data structure always agree.
   INVALID_POINT,           ///< a coordinate is infinite or not a number. Witness: vertices.
   UNSUPPORTED_TOPOLOGY,    ///< a part of the surface has a handle where genus 0 is needed. Witness: faces.
   WRONG_PARAMETER,         ///< a parameter is out of its range, which the message names, or a weight is negative or
-                           ///  not a number. Witness: edges or faces, if it is about some.
+                           ///  not a number. Witness: the edges or faces concerned, if any.
   INFEASIBLE_CONSTRAINTS,  ///< no cut satisfies the constraints. Witness: the elements in conflict.
-  NOT_CUT_TO_DISKS,        ///< the marked edges do not leave only disks. Witness: faces of such a part.
+  NOT_CUT_TO_DISKS,        ///< the marked edges leave a part that is not a disk. Witness: the faces of such a part.
   NUMERICAL_FAILURE,       ///< no flip-free parameterization was found. Witness: faces.
   NOT_CERTIFIED,           ///< the result failed the exact check. Witness: faces.
   STOPPED,                 ///< the visitor or the time limit ended the run.
-  BOUND_NOT_REACHED        ///< the result is valid, but misses `maximum_distortion`, or with `Connection::EXACT` is not
-                           ///  proven to be shortest.
+  BOUND_NOT_REACHED        ///< the result is valid but misses `maximum_distortion`, or, with `Connection::EXACT`, lacks
+                           ///  the proof that it is shortest.
 };
 
 } // namespace Surface_mesh_cutting

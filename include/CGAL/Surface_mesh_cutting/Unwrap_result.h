@@ -28,7 +28,7 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// what `greedy_cut()` computed besides the cut. Lengths are in units of the mesh.
+/// what `greedy_cut()` computes besides the cut. Lengths are in units of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
@@ -37,7 +37,7 @@ struct Cut_result
   /// how the run ended.
   Status<TriangleMesh> status;
   /// whether the output maps were written: with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED`, and with
-  /// `Status_code::STOPPED` if a valid result was there by then.
+  /// `Status_code::STOPPED` if a valid result existed by then.
   bool has_result = false;
 
   int components = 0; ///< number of connected components of the surface.
@@ -52,28 +52,27 @@ struct Cut_result
 
   double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
   double cut_length = 0;            ///< total length of the cut edges.
-  /// no cut through the same feature points and along the constrained edges is shorter than this; empty
-  /// if no bound was computed, as with weights other than lengths.
+  /// a lower bound on the length of any cut through the same feature points and along the constrained
+  /// edges; empty if no bound was computed, as with weights other than lengths.
   std::optional<double> cut_lower_bound;
   /// whether no cut through the same feature points is shorter; empty if no bound was computed.
   std::optional<bool> optimal;
 
-  /// what other cuts of the run offer, from short to long: the sequence of cuts that the run went through, without
-  /// those that are neither shorter nor less distorted than another one. On meshes that are coarsened for the
-  /// detection, all but the last are measured on the coarser version. Empty for several components, and where
-  /// constrained edges separate the surface.
+  /// what other cuts offer, from short to long: the cuts that the run considered, without those that are neither
+  /// shorter nor less distorted than another one. If feature points were detected on a coarser version, all cuts but
+  /// the last are measured there. Empty for several components, and where constrained edges separate the surface.
   std::vector<Trade_off> trade_offs;
 
   Phase_times seconds;     ///< wall time.
   Phase_times cpu_seconds; ///< processor time of all threads.
 
-  /// `true` iff all that was asked for was computed.
+  /// `true` iff everything requested was computed.
   explicit operator bool() const { return bool(status); }
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// what `unwrap()` computed besides the cut and the UVs.
+/// what `unwrap()` computes besides the cut and the UVs.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
@@ -82,7 +81,7 @@ struct Unwrap_result : public Cut_result<TriangleMesh>
   double E_iso = 0; ///< area-averaged symmetric Dirichlet energy of the UVs; 4 is ideal.
   double E_max = 0; ///< largest symmetric Dirichlet energy of a face.
   int flips = 0;    ///< number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.
-  /// number of overlaps, decided exactly; empty unless a bijective map was asked for, else 0 if there is a result.
+  /// number of overlaps, decided exactly; empty without `do_bijective`, and 0 if there is a result.
   std::optional<int> overlaps;
 };
 

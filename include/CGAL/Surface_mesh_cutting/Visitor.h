@@ -19,11 +19,11 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// the phases of a run, in their order.
+/// the phases of a run, in order.
 enum class Phase
 {
   CANDIDATES,  ///< handles, first cuts, conformal maps, candidates for feature points
-  FILTER,      ///< the choice among the candidates
+  FILTER,      ///< the selection among the candidates
   CONNECT,     ///< the tree through the feature points
   REFINE,      ///< repair and shortening of the connected cut
   PARAMETERIZE ///< the final UVs
@@ -31,19 +31,19 @@ enum class Phase
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// is called back during a run and does nothing; a visitor of your own may derive from it.
+/// is the visitor that does nothing; derive your own from it.
 /// \cgalModels{CuttingVisitor}
 ///
-/// A visitor is passed by the named parameter `visitor`, by `std::ref` if it is not to be copied.
-/// With `Parallel_tag` its functions are still called by one thread at a time.
+/// The named parameter `visitor` takes a visitor, by `std::ref` unless a copy will do.
+/// Only one thread at a time calls its functions, even with `Parallel_tag`.
 struct Default_visitor
 {
-  /// is asked before each factorization and between steps of every search, every few
+  /// is called before each factorization and between the steps of every search: every few
   /// milliseconds on small meshes, every few seconds on meshes of a million triangles.
-  /// \return `false` to end the run; it then returns `Status_code::STOPPED`
+  /// \return `false` to end the run, which then returns `Status_code::STOPPED`
   bool go_further() const { return true; }
 
-  /// is told how far a phase has come, `fraction` being between 0 and 1.
+  /// is called with the progress of a phase; `fraction` is between 0 and 1.
   void progress(Phase, double /* fraction */) {}
 };
 

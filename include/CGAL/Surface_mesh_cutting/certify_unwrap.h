@@ -29,20 +29,19 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// proves that a surface is unwrapped: opened along the marked edges it consists of topological
-/// disks; all UVs are finite; the corners at a vertex that are not separated by the cut have the
-/// same UV; and each triangle is mapped to a strictly counterclockwise one. If asked for, also that
-/// the map is injective up to contact: that the images of any two triangles have disjoint
+/// proves that a surface is unwrapped: opened along the marked edges, it consists of topological
+/// disks; all UVs are finite; corners at a vertex that the cut does not separate have the same UV;
+/// and the map takes each triangle to a strictly counterclockwise one. On request, it also proves
+/// that the map is injective up to contact: the images of any two triangles have disjoint
 /// interiors, be they in the same chart or in different ones. Borders of charts may touch, and the
 /// two sides of a cut may lie on top of each other.
 ///
-/// All decisions are exact: they are made by the predicates of
-/// `Exact_predicates_inexact_constructions_kernel` on the given coordinates, never with a
-/// tolerance. Coordinates are converted to `double`.
+/// All decisions are exact: the predicates of `Exact_predicates_inexact_constructions_kernel` make
+/// them, on coordinates converted to `double` and without any tolerance.
 ///
-/// Linear in the size of the surface; the test of injectivity takes
-/// \f$ O(n + (b + k) \log b) \f$ time for \f$ b \f$ edges on the borders of charts with \f$ k \f$
-/// pairs of intersecting bounding boxes.
+/// The time is linear in the size of the surface. The test of injectivity takes
+/// \f$ O(n + (b + k) \log b) \f$ time for \f$ b \f$ edges on the borders of charts and \f$ k \f$
+/// pairs of intersecting bounding boxes among them.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
@@ -62,7 +61,7 @@ namespace Surface_mesh_cutting {
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{do_bijective}
-///     \cgalParamDescription{whether the map has to be injective up to contact, too}
+///     \cgalParamDescription{whether the map must also be injective up to contact}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -75,13 +74,14 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `Status_code::OK`; or `Status_code::NOT_CUT_TO_DISKS` with all faces of one part that is
-///         not a disk; or `Status_code::NOT_CERTIFIED` with a message that counts what is wrong,
-///         and the faces concerned: those with an invalid UV, those that are not counterclockwise,
-///         the two at each overlap of borders, and one of each chart that lies on another one; or,
-///         for a surface that the package does not take, `Status_code::EMPTY_MESH`,
-///         `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
-///         `Status_code::INVALID_POINT`.
+/// \return a status, one of
+/// - `Status_code::OK`;
+/// - `Status_code::NOT_CUT_TO_DISKS`, with all faces of one part that is not a disk;
+/// - `Status_code::NOT_CERTIFIED`, with a message that counts the defects, and the faces concerned:
+///   those with an invalid UV, those that are not counterclockwise, the two at each overlap of
+///   borders, and one of each chart that lies on another one;
+/// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
+///   `Status_code::INVALID_POINT` for an unsupported mesh.
 ///
 /// \sa `unwrap()`
 /// \sa `is_cut_to_disks()`

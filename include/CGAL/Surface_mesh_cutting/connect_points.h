@@ -42,120 +42,67 @@ struct Connection_result
 {
   /// how the call ended.
   Status<TriangleMesh> status;
-  /// the length of the cut, border edges not counted.
+  /// the length of the cut without border edges.
   double length = 0;
-  /// a lower bound of the weight of all cuts that consist of the constrained edges, the loops that
-  /// were chosen to cut handles, and other edges that connect all that is to be connected. It can
-  /// be compared with the length unless other weights than lengths are given. What the methods
-  /// other than `Connection::EXACT` and `Connection::BEST` do not prove counts zero.
+  /// a lower bound on the weight of every cut that consists of the constrained edges, the chosen
+  /// handle loops, and further edges that connect all that must be connected. Compare it with the
+  /// length only if the weights are lengths. The further edges count zero for methods without a
+  /// bound: all but `Connection::EXACT` and `Connection::BEST`.
   double lower_bound = 0;
   /// whether the cut is proven to reach this bound.
   bool is_optimal = false;
-  /// the number of vertices where the edges that connect branch and that were not to be connected.
+  /// the number of vertices at which the connection branches and that were not among the points.
   int number_of_auxiliary_points = 0;
 
-  /// `true` iff all is connected as asked for.
+  /// `true` iff everything is connected as requested.
   explicit operator bool() const { return bool(status); }
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// connects vertices by a short cut after which each part of the surface is a disk.
+/// connects vertices by a short cut that leaves only topological disks.
 ///
-/// On a closed surface of genus 0, the cut is a tree whose leaves are among the given vertices. On
-/// other surfaces, handles are cut first, see `cut_handles()`. The borders, those that handles and
-/// constrained edges leave included, are connected as well: each counts as one point. If
-/// constrained edges separate the surface, each part is connected on its own. A part that is a disk
-/// already and contains none of the given vertices is not cut further.
+/// On a closed surface of genus 0, the cut is a tree whose leaves are among the given vertices. Other surfaces lose
+/// their handles first, see `cut_handles()`. The cut also connects the borders, including those that handles and
+/// constrained edges leave: each counts as one point. If constrained edges separate the surface, each part is connected
+/// on its own. A part that is already a disk and contains none of the given vertices is not cut further.
 ///
-/// The border of a disk has at least three edges: where a single edge would be enough, the cheapest
-/// edge next to it is added.
+/// The border of a disk has at least three edges: where a single edge would suffice, the cheapest edge next to it is
+/// added.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
-///         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the
-///         same.
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
+///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam VertexRange a range of vertex descriptors of `TriangleMesh`, a model of `ConstRange`
-/// \tparam EdgeIsCutMap a model of `ReadWritePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
-///         type
+/// \tparam EdgeIsCutMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface; it may have handles, borders and several components
-/// \param points the vertices to connect. Each closed component of genus 0 in which no edge is
-///        constrained must contain at least two of them.
-/// \param edge_is_cut_map is set to `true` for the edges of the cut, the constrained ones included,
-///        and to `false` for the others; unchanged if there is no cut
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-///        listed below
+/// \param points the vertices to connect. Each closed component of genus 0 without constrained edges must contain at
+///        least two of them.
+/// \param edge_is_cut_map receives `true` for the edges of the cut, including the constrained ones, and `false` for the
+///        others; stays unchanged if there is no cut
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-///                    `%Point_3` as value type}
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{connection}
-///     \cgalParamDescription{how the points are connected}
-///     \cgalParamType{`Surface_mesh_cutting::Connection`}
-///     \cgalParamDefault{`Connection::BEST`, and `Connection::GREEDY` with `faithful(true)`}
-///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{edge_weight_map}
-///     \cgalParamDescription{what it costs to cut an edge: the sum of the weights is minimized.
-///                           Weights are not negative; an edge of infinite weight is not cut.}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
-///                    a number type as value type}
-///     \cgalParamDefault{the lengths of the edges}
-///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{minimum_length_decrease}
-///     \cgalParamDescription{by how much an auxiliary point must shorten the cut to be added, as a
-///                           fraction of the length of the bounding box diagonal. Used by
-///                           `Connection::GREEDY` with `faithful(true)` only.}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0.01`}
-///   \cgalParamNEnd
-///
 ///   \cgalParamNBegin{faithful}
-///     \cgalParamDescription{whether to connect as the paper does: greedily, and without exchanging
-///                           auxiliary points in the end}
+///     \cgalParamDescription{whether to connect as the paper does: greedily, without exchanging auxiliary points at the
+///                           end}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{maximum_number_of_states}
-///     \cgalParamDescription{the budget of the search for a shortest tree; it counts states, not
-///                           seconds, so that results are reproducible}
-///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`20000000`}
-///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{marks edges that are part of the cut from the start}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
-///                    as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{edge_is_forbidden_map}
-///     \cgalParamDescription{marks edges that must not be cut}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
-///                    as value type}
-///     \cgalParamDefault{no edge is forbidden}
-///   \cgalParamNEnd
-///
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{can end the run}
 ///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
-///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///     \cgalParamExtra{Pass it by `std::ref` unless a copy will do.}
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{maximum_running_time}
@@ -165,17 +112,19 @@ struct Connection_result
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \copydetails PkgSurfaceMeshCuttingConnectionParameters
+/// \copydetails PkgSurfaceMeshCuttingConstraintParameters
 ///
-/// \return what is known about the cut, and a status: `Status_code::OK`;
-///         `Status_code::BOUND_NOT_REACHED` with `Connection::EXACT` where the budget does not
-///         suffice for a proof; `Status_code::STOPPED`, with a cut that may be longer than
-///         necessary; `Status_code::INFEASIBLE_CONSTRAINTS` with edges that are constrained and
-///         forbidden, the forbidden edges that keep a part from becoming a disk, or the vertices
-///         that only such edges lead to; `Status_code::WRONG_PARAMETER` with the edges of
-///         invalid weight or the faces of a closed part with less than two of the points, or where
-///         another parameter is out of its range; or, for a surface that the package does not take,
-///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
-///         or `Status_code::INVALID_POINT`.
+/// \return what is known about the cut, and a status, one of
+/// - `Status_code::OK`;
+/// - `Status_code::BOUND_NOT_REACHED` with `Connection::EXACT` if the budget does not suffice for a proof;
+/// - `Status_code::STOPPED`, with a cut that may be longer than necessary;
+/// - `Status_code::INFEASIBLE_CONSTRAINTS`, with edges that are both constrained and forbidden, with the forbidden
+///   edges that keep a part from becoming a disk, or with the vertices reachable only through forbidden edges;
+/// - `Status_code::WRONG_PARAMETER`, with the edges of invalid weight, or with the faces of a closed part that holds
+///   fewer than two of the points, or for another parameter out of its range;
+/// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
+///   `Status_code::INVALID_POINT` for an unsupported mesh.
 ///
 /// \sa `CGAL::steiner_tree()`
 /// \sa `cut_handles()`

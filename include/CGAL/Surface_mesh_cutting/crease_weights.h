@@ -25,12 +25,12 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// computes edge weights that make a cut follow sharp edges.
+/// computes edge weights that favor sharp edges.
 ///
 /// The weight of an edge is its length times a factor: 1 where the two faces lie in a plane,
 /// `smallest_factor` where they meet at a right angle or less, and in between linear in
-/// the cosine of the angle between their normals. Border edges get their length. Linear in the size
-/// of the surface.
+/// the cosine of the angle between their normals. The weight of a border edge is its length. The
+/// time is linear in the size of the surface.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeWeightMap a model of `WritablePropertyMap` with
@@ -39,7 +39,7 @@ namespace Surface_mesh_cutting {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
-/// \param edge_weight_map receives the weights; they suit the named parameter `edge_weight_map` of
+/// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
 /// \param smallest_factor how little a sharp edge counts, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
@@ -55,10 +55,9 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for a surface that the package
-///         does not take, `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`,
-///         `Status_code::NON_MANIFOLD` or `Status_code::INVALID_POINT`. The weights are written if
-///         it is `Status_code::OK`.
+/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for an unsupported mesh,
+///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
+///         or `Status_code::INVALID_POINT`. Writes the weights only with `Status_code::OK`.
 ///
 /// \sa `visibility_weights()`
 template <typename TriangleMesh, typename EdgeWeightMap,

@@ -40,12 +40,12 @@ struct Handles_result
 {
   /// how the call ended.
   Status<TriangleMesh> status;
-  /// one loop per handle, in the order in which they were found: its halfedges, each of which
-  /// starts where the one before ends. A loop may share vertices and edges with loops before it,
+  /// one loop per handle, in the order of their discovery: a sequence of halfedges, each of which
+  /// starts where the previous one ends. A loop may share vertices and edges with earlier loops,
   /// and run along the border.
   std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> > loops;
-  /// the length of the loops: each edge counts once, border edges and edges that were constrained
-  /// do not.
+  /// the length of the loops: each edge counts once; border edges and constrained edges do not
+  /// count.
   double length = 0;
 
   /// `true` iff all handles are cut.
@@ -54,86 +54,56 @@ struct Handles_result
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// finds short loops along which a surface loses its handles: cut along them, each of its
-/// components is still connected and has genus 0. There are as many loops as handles.
+/// finds short loops that cut the handles of a surface: opened along them, each of its components stays
+/// connected and has genus 0. There are as many loops as handles.
 ///
-/// The loops are chosen one after the other, each at most 1/0.95 times as long as the shortest loop
-/// that does not separate what the former ones leave. Moving along the border, along constrained
-/// edges, and along the loops chosen before costs nothing.
+/// The loops are chosen one after the other. Each is at most 1/0.95 times as long as the shortest loop that does not
+/// separate what the earlier ones leave. Moving along the border, along constrained edges, and along earlier loops
+/// costs nothing.
 ///
-/// With \f$ n \f$ vertices and genus \f$ g \f$, the time is \f$ O(g\,(n \log n + g\,n) + s) \f$,
-/// where \f$ s \f$ is the total size of balls around some vertices, with half the lengths of the
-/// loops as radii. The memory is \f$ O(g\,n) \f$ bits and \f$ O(n) \f$ numbers.
+/// With \f$ n \f$ vertices and genus \f$ g \f$, the time is \f$ O(g\,(n \log n + g\,n) + s) \f$, where \f$ s \f$ is the
+/// total size of balls around some vertices, whose radii are half the lengths of the loops. The memory is
+/// \f$ O(g\,n) \f$ bits and \f$ O(n) \f$ numbers.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam EdgeIsCutMap a model of `ReadWritePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
-///         type
+/// \tparam EdgeIsCutMap a model of `WritablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface; it may have borders and several components
-/// \param edge_is_cut_map is set to `true` for the edges of the loops and the constrained ones, to
-///        `false` for the others; unchanged if the handles cannot be cut
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-///        listed below
+/// \param edge_is_cut_map receives `true` for the edges of the loops and for the constrained ones, and `false` for the
+///        others; stays unchanged if the handles cannot be cut
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-///                    `%Point_3` as value type}
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{edge_weight_map}
-///     \cgalParamDescription{what it costs to cut an edge. A loop is short if the sum of its
-///                           weights is small. Weights are not negative; an edge of infinite weight
-///                           is not cut.}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
-///                    a number type as value type}
-///     \cgalParamDefault{the lengths of the edges}
-///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{marks edges that are cut anyway; the handles that are left then are
-///                           cut by loops}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
-///                    as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///
-///   \cgalParamNBegin{edge_is_forbidden_map}
-///     \cgalParamDescription{marks edges that must not be cut}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
-///                    as value type}
-///     \cgalParamDefault{no edge is forbidden}
-///   \cgalParamNEnd
-///
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{can end the run}
 ///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
 ///   \cgalParamNEnd
-///
 ///   \cgalParamNBegin{maximum_running_time}
-///     \cgalParamDescription{the time in seconds after which the run ends with
-///                           `Status_code::STOPPED`; 0 means no limit}
+///     \cgalParamDescription{the time in seconds after which the run ends with `Status_code::STOPPED`; 0 means no limit}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \copydetails PkgSurfaceMeshCuttingConstraintParameters
 ///
-/// \return the loops and their length, and a status: `Status_code::OK`;
-///         `Status_code::INFEASIBLE_CONSTRAINTS` with edges that are constrained and forbidden, or
-///         the forbidden edges that keep a handle from being cut; `Status_code::WRONG_PARAMETER`
-///         with the edges of invalid weight; `Status_code::STOPPED`, without loops; or, for a surface that the package does not take,
-///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
-///         or `Status_code::INVALID_POINT`.
+/// \return the loops and their length, and a status, one of
+/// - `Status_code::OK`;
+/// - `Status_code::INFEASIBLE_CONSTRAINTS`, with edges that are both constrained and forbidden, or with the forbidden
+///   edges that keep a handle from being cut;
+/// - `Status_code::WRONG_PARAMETER`, with the edges of invalid weight;
+/// - `Status_code::STOPPED`, without loops;
+/// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
+///   `Status_code::INVALID_POINT` for an unsupported mesh.
 ///
 /// \sa `connect_points()`
 template <typename TriangleMesh, typename EdgeIsCutMap,

@@ -29,10 +29,10 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// computes the length of a cut: the sum of the lengths of the marked edges.
-/// Border edges are open anyway and do not count.
+/// Border edges are already open and do not count.
 ///
-/// The length is computed in `double` and rounded; the size of the coordinates does not matter.
-/// Linear in the number of edges.
+/// The computation takes place in `double`, with rounding, for coordinates of any size. The time is
+/// linear in the number of edges.
 ///
 /// \tparam TriangleMesh a model of `EdgeListGraph` and `HalfedgeGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with

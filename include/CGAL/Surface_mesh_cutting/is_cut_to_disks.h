@@ -26,7 +26,7 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// tells whether a surface, opened along the marked edges, consists only of topological disks.
-/// Linear in the size of the surface.
+/// The time is linear in the size of the surface.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
@@ -49,8 +49,8 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `Status_code::OK`; or `Status_code::NOT_CUT_TO_DISKS` with all faces of one part that is
-///         not a disk; or, for a surface that the package does not take, `Status_code::EMPTY_MESH`,
+/// \return `Status_code::OK`; or `Status_code::NOT_CUT_TO_DISKS`, with all faces of one part that is
+///         not a disk; or, for an unsupported mesh, `Status_code::EMPTY_MESH`,
 ///         `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
 ///         `Status_code::INVALID_POINT`.
 ///

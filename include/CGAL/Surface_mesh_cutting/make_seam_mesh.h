@@ -29,14 +29,14 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// opens a surface along a cut: makes the `CGAL::Seam_mesh` whose seams are the marked edges.
-/// Border edges are open anyway and do not become seams.
+/// Border edges are already open and do not become seams.
 ///
-/// The constructor of `Seam_mesh` takes the marks as they are and needs to be told the number of
-/// seam edges; this function fills both maps for all edges and vertices, whatever they hold before,
-/// and sets the number. Both maps are copied into the seam mesh, which also refers to `tmesh`.
-/// Linear in the size of the surface.
+/// The constructor of `Seam_mesh` takes the marks as they are and does not count the seam edges. This
+/// function overwrites both maps for all edges and vertices and sets the number of seam edges. The
+/// seam mesh holds copies of both maps and a reference to `tmesh`. The time is linear in the size of
+/// the surface.
 ///
-/// The header of the mesh type has to be included before this one, as for `Seam_mesh` itself.
+/// Include the header of the mesh type before this one, as for `Seam_mesh` itself.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
@@ -51,8 +51,8 @@ namespace Surface_mesh_cutting {
 ///
 /// \param tmesh the surface
 /// \param edge_is_cut_map marks the edges of the cut
-/// \param seam_edge_map is filled with the seam edges; it may be the same map as `edge_is_cut_map`
-/// \param seam_vertex_map is filled with the ends of the seam edges
+/// \param seam_edge_map receives the seam edges; it may be the same map as `edge_is_cut_map`
+/// \param seam_vertex_map receives the ends of the seam edges
 ///
 /// \return the surface, open along the cut
 ///
@@ -86,7 +86,7 @@ make_seam_mesh(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// opens a surface along a cut as the function above, with maps that live as long as the seam mesh.
+/// opens a surface along a cut like the function above, with maps that live as long as the seam mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with

@@ -27,19 +27,17 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// computes edge weights that make a cut hide where the surface is hard to see.
+/// computes edge weights that favor hidden edges.
 ///
-/// The weight of an edge is its length times a factor: `smallest_factor` where nothing can be seen
-/// from the middle of the edge but the surface itself, 1 where the surface does not get into
-/// the view, and in between linear in the part of the view that is free (ambient occlusion). It is
-/// sampled by random rays, distributed by the cosine of their angle with the normal. The
-/// surface is seen from the side that its normals point to.
+/// The weight of an edge is its length times a factor: `smallest_factor` where the surface fills the
+/// whole view from the middle of the edge, 1 where it blocks none of it, and in between linear in the
+/// free part of the view (ambient occlusion). Random rays sample the view, distributed by the cosine
+/// of their angle with the normal, on the side of the surface that its normals point to.
 ///
 /// With \f$ n \f$ edges and \f$ k \f$ rays, the time is \f$ O(k\,n \log n) \f$ on most surfaces.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
-///         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the
-///         same.
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
+///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeWeightMap a model of `WritablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a value type that
@@ -47,7 +45,7 @@ namespace Surface_mesh_cutting {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
-/// \param edge_weight_map receives the weights; they suit the named parameter `edge_weight_map` of
+/// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
 /// \param number_of_rays the number of rays per edge, at least one
 /// \param smallest_factor how little a hidden edge counts, between 0 and 1
@@ -64,16 +62,15 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{the seed of the directions of the rays}
+///     \cgalParamDescription{the seed for drawing the directions of the rays}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for a surface that the package
-///         does not take, `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`,
-///         `Status_code::NON_MANIFOLD` or `Status_code::INVALID_POINT`. The weights are written if
-///         it is `Status_code::OK`.
+/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for an unsupported mesh,
+///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
+///         or `Status_code::INVALID_POINT`. Writes the weights only with `Status_code::OK`.
 ///
 /// \sa `crease_weights()`
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeWeightMap,

@@ -45,34 +45,35 @@ struct Bijective_method
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// The class `Bijective_symmetric_Dirichlet_parameterizer_3` maps a surface with border to the plane
-/// one to one, with as little isometric distortion as possible. It minimizes the same energy as
+/// The class `Bijective_symmetric_Dirichlet_parameterizer_3` maps a surface with border one to one to
+/// the plane, with as little isometric distortion as possible. It minimizes the same energy as
 /// `Symmetric_Dirichlet_parameterizer_3`: the average of \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ over the
 /// area of the surface, where \f$ J \f$ is the Jacobian of a triangle.
 ///
-/// The border is free, but its image does not cross itself. No two triangles of the image
-/// overlap, which is verified with exact predicates; parts of the border may touch. The surface may
-/// have any number of borders, but no handles.
+/// The border is free, but its image does not cross itself. No two triangles of the image overlap;
+/// exact predicates verify this. Parts of the border may touch. The surface may have any number of
+/// borders, but no handles.
 ///
 /// If the result of `Symmetric_Dirichlet_parameterizer_3` has no overlap, it is the answer. Otherwise
-/// the method starts anew from Tutte's embedding \cgalCite{cgal:t-hdg-63} of a simplified surface, which
-/// it refines without leaving the image found so far. Around the image, a scaffold of
-/// triangles \cgalCite{cgal:jsp-scaf-17} is laid: as long as none of them flips, the border cannot cross
-/// itself. Image and scaffold are optimized together by Newton's method with
-/// analytically projected Hessians \cgalCite{cgal:gsc-plmo-18}, and the scaffold is made anew every few
-/// steps, until the energy decreases by less than a thousandth. The result is a local minimum.
+/// the method starts again from Tutte's embedding \cgalCite{cgal:t-hdg-63} of a simplified surface,
+/// which it refines without leaving the image found so far. A scaffold of triangles
+/// \cgalCite{cgal:jsp-scaf-17} surrounds the image: as long as none of them flips, the border cannot
+/// cross itself. Newton's method with analytically projected Hessians \cgalCite{cgal:gsc-plmo-18}
+/// optimizes image and scaffold together. The method rebuilds the scaffold every few steps, until the
+/// energy decreases by less than a thousandth. The result is a local minimum.
 ///
-/// A few sparse matrices of about \f$ 2n \f$ rows for \f$ n \f$ vertices are factorized, which takes
-/// \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory on usual meshes; altogether about three times
-/// the time of `Symmetric_Dirichlet_parameterizer_3`. Degenerate faces are given a small height.
+/// For \f$ n \f$ vertices, the method factorizes a few sparse matrices of about \f$ 2n \f$ rows in
+/// \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory each on usual meshes. Altogether it takes
+/// about three times as long as `Symmetric_Dirichlet_parameterizer_3`. Degenerate faces get a small
+/// height.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
 /// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver
 ///         takes symmetric positive definite systems.<br>
-///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
-///         iterations. Eigen 3.3 (or greater) is required.
+///         <b>%Default:</b> `Eigen::SimplicialLDLT` with a single ordering for all iterations.
+///         Requires Eigen 3.3 (or greater).
 ///
 /// \sa `Symmetric_Dirichlet_parameterizer_3`
 /// \sa `compute_symmetric_Dirichlet_energy()`

@@ -62,15 +62,15 @@ struct Flip_free_method
 ///
 /// The class `Free_border_parameterizer_3` is the base of the parameterizers that minimize an energy
 /// of the triangles over maps with a free border and without flipped triangles. It reads the
-/// surface, says what keeps it from being mapped, and proves what the map promises.
+/// surface, reports what keeps it from being mapped, and proves what the map promises.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
 /// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver
 ///         takes symmetric positive definite systems.<br>
-///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
-///         iterations. Eigen 3.3 (or greater) is required.
+///         <b>%Default:</b> `Eigen::SimplicialLDLT` with a single ordering for all iterations.
+///         Requires Eigen 3.3 (or greater).
 /// \tparam Method_ is chosen by the derived class.
 ///
 /// \sa `MIPS_parameterizer_3`
@@ -93,7 +93,7 @@ public:
   ///         `%Point_2` (of any \cgal kernel) as value type.
   /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with
   ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-  ///         a unique integer as value type. It is not used.
+  ///         a unique integer as value type. The method does not use it.
   /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with
   ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
   ///         a Boolean as value type.
@@ -103,17 +103,17 @@ public:
   ///        borders are free.
   /// \param uvmap receives the position in the plane of each vertex of the component.
   /// \param vimap unique indices of the vertices.
-  /// \param vpmap is set to `true` for each vertex of the component that was given a position.
+  /// \param vpmap receives `true` for each vertex of the component that was given a position.
   ///
-  /// \return `OK`, or what is wrong with the component:
+  /// \return `OK`, or what is wrong with the component, one of
   /// - `ERROR_EMPTY_MESH`: `bhd` is null or has no face at its edge;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: `bhd` is not on a border, the component has handles, or
   ///   a vertex is not manifold;
   /// - `ERROR_BORDER_TOO_SHORT`: no border has three edges;
   /// - `ERROR_WRONG_PARAMETER`: a coordinate is not finite;
-  /// - `ERROR_NO_1_TO_1_MAPPING`: no map of the kind that the parameterizer promises could be found in
-  ///   floating-point arithmetic, or it cannot be represented by the number type of the UVs;
+  /// - `ERROR_NO_1_TO_1_MAPPING`: floating-point arithmetic found no map of the promised kind, or the
+  ///   number type of the UVs cannot represent it;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver failed.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(TriangleMesh& mesh,

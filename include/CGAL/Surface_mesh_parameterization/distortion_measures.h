@@ -127,11 +127,11 @@ double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
 /// computes the conformal distortion of a map from a surface to the plane: for each face the MIPS
-/// energy \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. It is 1 for a
-/// similarity, larger otherwise, and infinite where the image is not counterclockwise. Linear in the
-/// number of faces.
+/// energy \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. The energy is 1 for a
+/// similarity, larger otherwise, and infinite where the image is not counterclockwise. The time is
+/// linear in the number of faces.
 ///
-/// A degenerate face is given a small height, so that its energy is defined.
+/// A degenerate face gets a small height so that its energy is defined.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
@@ -143,10 +143,10 @@ double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
-/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+/// \param halfedge_uv_map holds, at each halfedge `h` that is not on the border, the UV of the corner
 ///        of `face(h, tmesh)` at `target(h, tmesh)`
 /// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the
-///        average is of interest.
+///        average matters.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///
@@ -176,11 +176,12 @@ double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
 /// computes the isometric distortion of a map from a surface to the plane: for each face the
-/// symmetric Dirichlet energy \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ of its Jacobian \f$ J \f$. It is 4
-/// for a rigid motion, larger otherwise, and infinite where the image is not counterclockwise.
-/// It depends on the scale of the UVs, see `best_isometric_scale()`. Linear in the number of faces.
+/// symmetric Dirichlet energy \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ of its Jacobian \f$ J \f$. The energy
+/// is 4 for a rigid motion, larger otherwise, and infinite where the image is not counterclockwise.
+/// It depends on the scale of the UVs, see `best_isometric_scale()`. The time is linear in the number
+/// of faces.
 ///
-/// A degenerate face is given a small height, so that its energy is defined.
+/// A degenerate face gets a small height so that its energy is defined.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
@@ -192,10 +193,10 @@ double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
-/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+/// \param halfedge_uv_map holds, at each halfedge `h` that is not on the border, the UV of the corner
 ///        of `face(h, tmesh)` at `target(h, tmesh)`
 /// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the
-///        average is of interest.
+///        average matters.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///
@@ -224,10 +225,9 @@ double compute_symmetric_Dirichlet_energy(const TriangleMesh& tmesh, HalfedgeUVM
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the factor that all UVs have to be multiplied with, so that the average symmetric
-/// Dirichlet energy of the map becomes as small as possible:
+/// computes the factor for all UVs that minimizes the average symmetric Dirichlet energy of the map:
 /// \f$ \left( \sum_i a_i \|J_i^{-1}\|_F^2 \,/ \sum_i a_i \|J_i\|_F^2 \right)^{1/4} \f$ for faces of
-/// area \f$ a_i \f$. Linear in the number of faces.
+/// area \f$ a_i \f$. The time is linear in the number of faces.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
@@ -236,7 +236,7 @@ double compute_symmetric_Dirichlet_energy(const TriangleMesh& tmesh, HalfedgeUVM
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
-/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+/// \param halfedge_uv_map holds, at each halfedge `h` that is not on the border, the UV of the corner
 ///        of `face(h, tmesh)` at `target(h, tmesh)`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
@@ -253,7 +253,7 @@ double compute_symmetric_Dirichlet_energy(const TriangleMesh& tmesh, HalfedgeUVM
 ///
 /// \pre `is_triangle_mesh(tmesh)`
 ///
-/// \return the factor; it has no meaning if a face is not mapped to a counterclockwise triangle.
+/// \return the factor; it is meaningless unless every face is mapped to a counterclockwise triangle
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
 double best_isometric_scale(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
@@ -265,9 +265,9 @@ double best_isometric_scale(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the distortion at each vertex of a surface: the average of the distortions of the
-/// incident faces, weighted by their areas, and 0 at an isolated vertex. The faces on all sides of
-/// a cut count. Linear in the size of the surface.
+/// computes the distortion at each vertex of a surface: the area-weighted average of the distortions
+/// of the incident faces, and 0 at an isolated vertex. The faces on all sides of a cut count. The
+/// time is linear in the size of the surface.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam FaceDistortionMap a model of `ReadablePropertyMap` with

@@ -34,8 +34,8 @@ public:
       m_disks(mesh.number_of_vertices())
   {}
 
-  // Replaces all disks. The radius is `radius`, or half the distance to the closest other one of the
-  // vertices where the disks would overlap.
+  // Replaces all disks. Disks that would overlap get half the distance to the nearest center as radius,
+  // the others `radius`.
   void set(const std::vector<int>& vertices, double radius)
   {
     std::fill(m_counts.begin(), m_counts.end(), 0);
@@ -66,7 +66,7 @@ public:
       --m_counts[f];
   }
 
-  // Takes `release()` back.
+  // Undoes `release()`.
   void cover(int v)
   {
     for(int f : m_disks[v])

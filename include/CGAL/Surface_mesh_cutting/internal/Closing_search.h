@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// A branch of a cut, or its outer part, that is to be closed again.
+// A branch of a cut, or its outer part, to be closed again.
 struct Closing
 {
   int tip = -1;
@@ -49,9 +49,9 @@ public:
     : m_mesh(mesh), m_constraints(constraints)
   {}
 
-  // Among what may cost at most `allowed_cost(length)`, the longest part of which that is known, otherwise the
-  // one that gapes least for its length. The tip is -1 if there is none. Branches end at `features`, if
-  // not before; those with the tip at a vertex with `is_kept` stay.
+  // Among what may cost at most `allowed_cost(length)`, the longest part of known cost, otherwise the one with
+  // the smallest gap per length. The tip is -1 if there is none. Branches end at `features`, if not before;
+  // those with the tip at a vertex with `is_kept` stay.
   template <typename LinearSolver, typename AllowedCost>
   Closing best(const Running_map<LinearSolver>& map, const std::vector<int>& features,
                const std::vector<char>& is_kept, AllowedCost allowed_cost) const

@@ -31,7 +31,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // The whole method for one connected surface (paper, Section 3): handles, features, connection and,
-// if asked for, refinement and UVs. The features of a large surface are found on a coarser version
+// on request, refinement and UVs. The features of a large surface are found on a coarser version
 // of it, at a cost that no longer grows with the surface, and connected on the surface itself.
 template <typename LinearSolver, typename ConcurrencyTag>
 class Component_cutter
@@ -147,7 +147,7 @@ private:
     return result;
   }
 
-  // Where connecting the features loses too much, the filter's own cut is the better one. There is none of the
+  // Where connecting the features loses too much, the filter's own cut is better. It does not exist on the
   // surface itself if the features were found on a coarser version.
   void keep_filtered_cut(Refiner& refiner, Open_chart filtered) const
   {
@@ -198,8 +198,8 @@ private:
     return detected;
   }
 
-  // Constraints hold on the surface itself: they do not matter here, but what they make unreachable is
-  // dropped in the end. Refinement is done here, too, where it is cheap.
+  // Ignores constraints; unreachable features are removed when lifted. Also refines here, where that is
+  // cheap.
   Detected_features find_features_on_coarse_mesh(int start, Component_result& result)
   {
     const Coarse_mesh coarse = [&]
@@ -394,8 +394,8 @@ private:
   Phase_clock& m_clock;
   Resolution m_fine;
   const Initial_cut m_initial;
-  // What connecting may leave: about the energy of a given cut, or twice that of the filter's, which is
-  // exceeded on needles, by orders of magnitude.
+  // Repair is attempted above about the energy of a given cut, or above twice the filter's energy, which
+  // occurs on needle triangles.
   double m_energy_to_regain = std::numeric_limits<double>::infinity();
 };
 

@@ -39,7 +39,7 @@ struct Mapped_cut
   Open_chart chart;
 };
 
-// What a refined cut has to keep to.
+// The limits of a refined cut.
 struct Refinement_limits
 {
   double energy = std::numeric_limits<double>::infinity(); // area-averaged, at most
@@ -66,7 +66,7 @@ public:
       m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints), m_map(mesh, shapes, control)
   {}
 
-  // Connects the features; the first of the calls.
+  // Connects the features; call first.
   Flat_status connect(std::vector<int> features)
   {
     m_features = std::move(features);
@@ -74,14 +74,14 @@ public:
     return m_tree.status;
   }
 
-  // Maps the surface opened along the connected cut, as precisely as said; the second of the calls. False if no
+  // Maps the surface opened along the connected cut to the given precision; call after connect(). False if no
   // flip-free map was found or the run was stopped.
   bool map(double precision = Running_map<LinearSolver>::running_precision)
   {
     return map(m_tree.cut, std::numeric_limits<double>::infinity(), precision);
   }
 
-  // Goes on with another cut through the features, and its map, instead of the tree.
+  // Replaces the tree by another cut through the features, and its map.
   void replace_tree(Open_chart chart)
   {
     m_length = cut_length(m_mesh, chart.cut);

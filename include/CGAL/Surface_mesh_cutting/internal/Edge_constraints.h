@@ -94,9 +94,9 @@ inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mes
                      Element_kind::EDGE, std::move(conflicts));
 }
 
-// Decides by what is left when all edges are cut that may be: each part, held together by forbidden
-// edges, must be `is_possible(topology)`. Otherwise the witness are the forbidden edges in the
-// first part that is not. O(n).
+// Cuts every permitted edge and checks what remains: each part, held together by forbidden edges,
+// must be `is_possible(topology)`. Otherwise the forbidden edges in the first part that is not are
+// the witness. O(n).
 //
 // Handles can be cut iff no part has a handle: cycles of allowed edges span the orthogonal
 // complement of the cycles within the parts, with respect to the number of crossings, and contain g

@@ -152,8 +152,8 @@ inline std::vector<Flat_component> split_into_components(Flat_mesh whole)
   return components;
 }
 
-// The components that a cut leaves, as meshes whose borders it is part of. Their elements have the
-// indices of the mesh that is not cut: of several copies each has the same. O(n log n).
+// Splits along the cut; indices refer to the uncut mesh, so that copies of an element share theirs.
+// O(n log n).
 inline std::vector<Flat_component> split_along(const Flat_mesh& mesh, const Cut& cut)
 {
   const Chart chart = make_chart(mesh, cut);

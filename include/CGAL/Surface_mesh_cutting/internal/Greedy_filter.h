@@ -248,8 +248,8 @@ private:
     return nearest;
   }
 
-  // Smooth surfaces have too few local maximizers: once the queue is empty, the most distorted vertex
-  // is proposed under the same test, until one in a row of proposals far from each other passes.
+  // Smooth surfaces have too few local maximizers: once the queue is empty, proposes the most distorted
+  // vertex under the same test, until several proposals in a row, far from each other, fail.
   void judge_most_distorted()
   {
     constexpr int maximum_failures = 3;

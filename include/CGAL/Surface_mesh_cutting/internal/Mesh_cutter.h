@@ -261,7 +261,7 @@ private:
     }
   }
 
-  // Measures the map and proves it free of flips and, if asked for, of overlaps; a map that fails is not handed out.
+  // Measures the map and proves it free of flips and, on request, of overlaps; a map that fails is not returned.
   void certify(Mesh_result& result) const
   {
     using namespace Surface_mesh_parameterization::internal;

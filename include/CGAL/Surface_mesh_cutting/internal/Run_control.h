@@ -26,8 +26,8 @@ namespace Surface_mesh_cutting {
 
 namespace internal {
 
-// How a run reports to its caller and learns that it has to end. Once ended it stays so. Several threads
-// may call it; the caller is called by one at a time.
+// Reports the progress of a run to its caller and learns when to stop; a stopped run stays stopped. Several
+// threads may call it; only one at a time calls the caller.
 class Run_control
 {
 public:

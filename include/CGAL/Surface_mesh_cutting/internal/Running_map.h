@@ -50,12 +50,12 @@ template <typename LinearSolver>
 class Running_map
 {
 public:
-  // The energy has to be known far better than epsilon_iso, not better: what the last step leaves is
-  // far less than the decrement before it.
+  // An accuracy well below epsilon_iso suffices: what the last step leaves is far less than the
+  // decrement before it.
   static constexpr double running_precision = 1e-4;
   static constexpr double hopeless_energy = 100; // area-averaged
 
-  // Work is given up, too, once `is_vain()`; what is there then has to be replaced by `restore()`.
+  // Also aborts once `is_vain()`; call `restore()` afterwards.
   Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control,
               std::function<bool()> is_vain = [] { return false; })
     : m_mesh(mesh), m_shapes(shapes), m_weights(area_weights(shapes)), m_control(control),

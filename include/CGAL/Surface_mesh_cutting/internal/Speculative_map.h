@@ -53,10 +53,10 @@ public:
 
   const Running_map<LinearSolver>& map() const { return m_copies[m_current]; }
 
-  // Opens the first useful one of the slits. `proposal(i)` points to the i-th one, its `path` and the
-  // `least_gain` that makes it useful, or is null if nothing can be said before those that are proposed
-  // were judged; it is called in order, by one thread at a time. Returns the index of the slit that was
-  // opened; if there is none, an index beyond all that were proposed.
+  // Opens the first useful slit. `proposal(i)` points to the i-th one, its `path` and the `least_gain` that
+  // makes it useful, or is null if the next proposal depends on pending ones; it is called in order, by one
+  // thread at a time. Returns the index of the slit that was opened; if there is none, an index beyond all
+  // that were proposed.
   template <typename Proposal>
   int open_first_useful(Proposal proposal)
   {
@@ -89,12 +89,12 @@ public:
   }
 
 private:
-  // More would bring little: the map that a slit was accepted for has to converge before the next one
-  // can be tried.
+  // More would bring little: the map must converge after each accepted slit before the next one can be
+  // tried.
   static std::size_t number_of_copies() { return std::size_t((std::min)(number_of_threads<ConcurrencyTag>(), 4)); }
 
-  // How many slits are tried until the caller is heard. There are more than threads, since some are
-  // rejected long before others.
+  // How many slits are tried per call: more than there are threads, since some are rejected long before
+  // others.
   int look_ahead() const { return m_copies.size() == 1 ? 1 : 4 * int(m_copies.size()); }
 
   // A rejected slit leaves no trace: the copies differ only after one was opened.

@@ -103,7 +103,7 @@ inline Certificate certify_triangles(const std::vector<Triangle>& triangles,
 }
 
 // Checks with exact predicates that `uv`, one per chart vertex, is finite and maps each triangle to
-// a strictly counterclockwise one and, if asked for, that no two triangles overlap.
+// a strictly counterclockwise one and, on request, that no two triangles overlap.
 inline Certificate certify(const Chart& chart, const std::vector<Eigen::Vector2d>& uv,
                            bool do_bijective)
 {

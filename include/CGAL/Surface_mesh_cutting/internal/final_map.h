@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The map that is handed out: the running one, solved to the end unless it already is, and on request
-// made bijective. `uv` receives it.
+// The map to return in `uv`: the running one, converged if it is not yet, and on request made
+// bijective.
 template <typename LinearSolver>
 Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Open_chart& running,
                         bool do_bijective, Run_control& control, std::vector<Eigen::Vector2d>& uv)

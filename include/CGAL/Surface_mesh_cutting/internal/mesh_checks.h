@@ -90,7 +90,7 @@ inline std::vector<int> faces_given_twice(const Flat_mesh& mesh)
   return faces;
 }
 
-// What a mesh whose halfedges fit together may still be refused for, and what is worth a warning.
+// Refuses a mesh whose halfedges fit together but that is not manifold; warns of what is unusual.
 inline Flat_status check_mesh(const Flat_mesh& mesh)
 {
   std::vector<int> found = vertices_with_several_fans(mesh);

@@ -114,7 +114,7 @@ inline std::vector<int> faces_of_parts_inside_out(const Flat_mesh& mesh)
   return faces;
 }
 
-// What is unusual about a mesh, though it is handled: why a result may look odd, or take its time.
+// What is unusual about a mesh, though handled: why a result may look odd, or take long.
 inline std::vector<Finding> mesh_warnings(const Flat_mesh& mesh)
 {
   constexpr int many_neighbors = 1000;

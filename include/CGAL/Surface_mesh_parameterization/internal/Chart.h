@@ -37,7 +37,7 @@ class Chart
 public:
   Chart() = default;
 
-  // Takes what `open()` keeps up to date from then on. `opposites` has three entries per triangle.
+  // `open()` keeps all of this up to date. `opposites` has three entries per triangle.
   Chart(std::vector<Triangle> triangles, std::vector<int> opposites, int number_of_vertices)
     : m_triangles(std::move(triangles)), m_opposites(std::move(opposites)),
       m_origins(number_of_vertices)

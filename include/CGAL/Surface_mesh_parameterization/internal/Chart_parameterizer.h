@@ -71,7 +71,7 @@ public:
     return improve_isometrically(uv, options);
   }
 
-  // What `isometric_map()` starts from. False if no flip-free map was found or that was stopped.
+  // The start of `isometric_map()`. False if no flip-free map was found or the run was stopped.
   bool isometric_start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options) const
   {
     return start<Symmetric_Dirichlet_energy>(uv, options);

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// With SINGULAR, rounding left no system to solve; the map is valid. With FAILED it is not.
+// SINGULAR: factorization failed, map valid. FAILED: map invalid.
 enum class Newton_outcome { CONVERGED, STOPPED, ITERATION_LIMIT, STALLED, SINGULAR, FAILED };
 
 // What is known after the direction of a step was found and before it is taken.

@@ -62,9 +62,10 @@ struct Shortest_path_heuristic_tag
 };
 
 /// adds auxiliary points one by one, each time the one that shortens the minimum spanning tree of the metric
-/// closure most, until none shortens it by more than `minimum_length_decrease`; then connects all points.
-/// \f$ O((k + a) (m + n) \log n + a (k + a) n) \f$ time for \f$ a \f$ auxiliary points and \f$ O(m + (k + a) n) \f$ memory
-/// \tparam ConnectionTag how the points are connected in the end: `Metric_closure_tag` or
+/// closure most, until none shortens it by more than `minimum_length_decrease`. Then connects all points.
+/// \f$ O((k + a) (m + n) \log n + a (k + a) n) \f$ time for \f$ a \f$ auxiliary points and
+/// \f$ O(m + (k + a) n) \f$ memory
+/// \tparam ConnectionTag how to connect the points in the end: `Metric_closure_tag` or
 ///         `Shortest_path_heuristic_tag`
 template <typename ConnectionTag = Metric_closure_tag>
 struct Greedy_auxiliary_points_tag
@@ -78,9 +79,9 @@ struct Greedy_auxiliary_points_tag
 /// \endcond
 };
 
-/// greedy insertion of auxiliary points, however little they shorten the tree, and then local search: points are
-/// removed and others inserted as long as that shortens the tree. Much nearer to a shortest tree than the
-/// other heuristics, at a few times the cost of `Greedy_auxiliary_points_tag` and with as much memory
+/// inserts auxiliary points greedily, however little they shorten the tree. Then, as a local search, removes points
+/// and inserts others as long as that shortens the tree. Much closer to a shortest tree than the other heuristics,
+/// at a few times the cost of `Greedy_auxiliary_points_tag` and with as much memory
 struct Local_search_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -89,9 +90,9 @@ struct Local_search_tag
 /// \endcond
 };
 
-/// the textbook dynamic programme over subsets of the terminals, for reference: exact,
-/// \f$ O(3^k n + 2^k (m + n) \log n) \f$ time and \f$ O(2^k n) \f$ memory. Without a result if `maximum_number_of_states`
-/// is less than \f$ 2^{k-1} n \f$
+/// the textbook dynamic program over subsets of the terminals, for reference: exact,
+/// \f$ O(3^k n + 2^k (m + n) \log n) \f$ time and \f$ O(2^k n) \f$ memory. Without a result if
+/// `maximum_number_of_states` is less than \f$ 2^{k-1} n \f$
 struct Dynamic_programming_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -100,8 +101,8 @@ struct Dynamic_programming_tag
 /// \endcond
 };
 
-/// a shortest tree, by a dynamic programme that leaves out what lower bounds and separators exclude. Exceeding
-/// `maximum_number_of_states` is an error, although the best tree found is reported
+/// a shortest tree, by a dynamic program that leaves out what lower bounds and separators exclude. Exceeding
+/// `maximum_number_of_states` is an error, but the best tree found is still reported
 struct Exact_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -110,8 +111,8 @@ struct Exact_tag
 /// \endcond
 };
 
-/// a shortest tree if `maximum_number_of_states` suffices to find it and to prove that it is one, else the best tree
-/// found by greedy insertion and local search over auxiliary points, with a lower bound. The default
+/// a shortest tree if `maximum_number_of_states` suffices to find and to prove it, otherwise the best tree found by
+/// greedy insertion and local search over auxiliary points, with a lower bound. The default
 struct Best_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -120,14 +121,14 @@ struct Best_tag
 /// \endcond
 };
 
-/// tells whether and why no tree, or not the tree asked for, was found
+/// tells whether the requested tree was found, and if not, why
 enum class Status
 {
-  OK,                      ///< a tree as asked for
+  OK,                      ///< a tree as requested
   TERMINALS_NOT_CONNECTED, ///< terminals lie in several components of the graph: no tree
   INVALID_WEIGHT,          ///< an edge weight is negative, infinite, or not a number: no tree
-  BUDGET_EXCEEDED,         ///< an exact method ran out of states; a tree, if any, is not proven to be shortest
-  CANCELLED                ///< the visitor asked to stop; the tree is the best found until then
+  BUDGET_EXCEEDED,         ///< an exact method ran out of states; the tree, if any, is not proven shortest
+  CANCELLED                ///< the visitor asked to stop; the tree is the best found by then
 };
 
 /// the visitor that never stops
@@ -141,15 +142,15 @@ struct Default_visitor
 /// what `CGAL::steiner_tree()` found
 struct Result
 {
-  /// whether there is a tree as asked for
+  /// whether there is a tree as requested
   Status status = Status::OK;
   /// the sum of the weights of the edges of the tree
   double length = 0.;
-  /// no tree is shorter than this, up to rounding. Zero for methods that compute no bound
+  /// a lower bound on the length of any tree, up to rounding. Zero for methods without a bound
   double lower_bound = 0.;
-  /// whether the tree is proven to be a shortest one
+  /// whether the tree is proven shortest
   bool is_optimal = false;
-  /// the number of vertices of the tree that have degree three or more and are no terminals
+  /// the number of vertices of the tree of degree three or more that are not terminals
   std::size_t number_of_auxiliary_points = 0;
 
   /// `true` if the status is `Status::OK`
@@ -165,20 +166,20 @@ struct Result
 
 computes a short or shortest tree in a graph that connects some of its vertices, the *terminals*.
 
-Edges can be used in both directions: the graph is taken as undirected. It may have several components, parallel
-edges, self loops, and edges of weight zero. The same vertex may be given several times. For one terminal or none the
-tree is empty. The tree has no cycle, and all its leaves are terminals. It depends on the order of the vertices and
-edges of the graph, but not on the number of threads.
+The graph counts as undirected: the tree may use edges in both directions. The graph may have several components,
+parallel edges, self loops, and edges of weight zero. Terminals may be repeated. For one terminal or none, the tree is
+empty. The tree has no cycle, and all its leaves are terminals. It depends on the order of the vertices and edges of
+the graph, but not on the number of threads.
 
-A tree is reported as optimal if none is shorter by more than \f$ 10^{-10} \f$ times its length (if all weights are
-integers, if none is shorter).
+A tree counts as optimal if none is shorter by more than \f$ 10^{-10} \f$ times its length or, if all weights are
+integers, if none is shorter.
 
-With \f$ n \f$ vertices, \f$ m \f$ edges, and \f$ k \f$ terminals, the methods take the time and memory given with their tags.
-The exact method needs time exponential in \f$ k \f$ in the worst case, yet tens of terminals are usually feasible on
-graphs of surfaces. `maximum_number_of_states` bounds its memory (about 50 bytes per state).
+With \f$ n \f$ vertices, \f$ m \f$ edges, and \f$ k \f$ terminals, the documentation of each tag states the time and
+memory of its method. The exact method needs time exponential in \f$ k \f$ in the worst case, yet tens of terminals are
+usually feasible on graphs of surfaces. `maximum_number_of_states` bounds its memory (about 50 bytes per state).
 
-\tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
-        `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
+\tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default), `Parallel_tag`, or
+        `Parallel_if_available_tag`. The result does not depend on it.
 \tparam Graph a model of `VertexListGraph` and `EdgeListGraph`
 \tparam TerminalRange a range of vertex descriptors of `Graph`, a model of `ConstRange`
 \tparam EdgeOutputIterator a model of `OutputIterator` that accepts edge descriptors of `Graph`
@@ -204,31 +205,30 @@ graphs of surfaces. `maximum_number_of_states` bounds its memory (about 50 bytes
   \cgalParamNEnd
 
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map that associates to each vertex an index, different for each and not negative.
-                          Memory is proportional to the largest one.}
+    \cgalParamDescription{a property map that associates to each vertex a unique index that is not negative. Memory is
+                          proportional to the largest one.}
     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<Graph>::%vertex_descriptor` as key
                    type and an integral type as value type}
     \cgalParamDefault{`get(boost::vertex_index, graph)`}
   \cgalParamNEnd
 
   \cgalParamNBegin{minimum_length_decrease}
-    \cgalParamDescription{by how much an auxiliary point must shorten the tree to be added, as a length. Used by
-                          `CGAL::Steiner_tree::Greedy_auxiliary_points_tag` only.}
+    \cgalParamDescription{the decrease of the length of the tree, as an absolute value, that makes an auxiliary point
+                          worth adding. Only `CGAL::Steiner_tree::Greedy_auxiliary_points_tag` uses it.}
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
 
   \cgalParamNBegin{maximum_number_of_states}
-    \cgalParamDescription{the number of states after which the dynamic programme gives up. Counting states rather
-                          than time makes the result the same on every run.}
+    \cgalParamDescription{the number of states after which the dynamic program gives up. It counts states, not
+                          seconds, so that results are reproducible.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`20000000`}
   \cgalParamNEnd
 
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that can cancel the computation}
-    \cgalParamType{a class model of `SteinerTreeVisitor`; pass it with `std::ref()` to have that object called, and
-                   not a copy}
+    \cgalParamType{a class model of `SteinerTreeVisitor`; pass it by `std::ref` unless a copy will do}
     \cgalParamDefault{`CGAL::Steiner_tree::Default_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd

@@ -93,7 +93,7 @@ public:
     return !m_is_optimal;
   }
 
-  // the pruned dynamic programme; false if it was stopped
+  // the pruned dynamic program; false if it was stopped
   template <typename GoFurther>
   bool search(std::size_t maximum_number_of_states, GoFurther go_further)
   {

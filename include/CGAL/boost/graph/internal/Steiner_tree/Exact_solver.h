@@ -24,7 +24,7 @@ namespace internal {
 namespace Steiner_tree {
 
 // Finds a shortest tree: heuristics and dual ascent from both sides, which remove what no shorter tree can use, and
-// the pruned dynamic programme on what is left. Without proof after `maximum_number_of_states`, the best tree found.
+// the pruned dynamic program on what is left. Without proof after `maximum_number_of_states`, the best tree found.
 // All terminals must be in one component.
 template <typename ConcurrencyTag, typename GoFurther>
 class Exact_solver
@@ -43,7 +43,7 @@ public:
     if(!m_instance.reduce(1, 0., m_go_further) || !m_go_further())
       return;
     search_locally();
-    // The programme with few states first. As often as these do not suffice, the same effort once more for the
+    // The program with few states first. As often as these do not suffice, the same effort once more for the
     // bounds on both sides pays before it gets four times as many.
     if(!m_instance.reduce(1, 0.7, m_go_further))
       return;
@@ -65,7 +65,7 @@ public:
   bool is_optimal() const { return m_instance.is_optimal(); }
 
 private:
-  static constexpr std::size_t minimum_number_of_states = 500000; // of the first run of the programme
+  static constexpr std::size_t minimum_number_of_states = 500000; // of the first run of the program
   static constexpr int batch_size = 2; // unions of more trees are seldom solved with few states
 
   // A round of reductions costs about as much as a state for each edge.
@@ -88,7 +88,7 @@ private:
   }
 
   // Trees from perturbed weights, and the best tree in the union of some of them and the best so far: a graph so small
-  // that the programme mostly needs few states. As much effort as that many states of the programme.
+  // that the program mostly needs few states. As much effort as that many states of the program.
   void recombine(double effort)
   {
     const Csr_graph& graph = m_instance.graph();

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-// The programme of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
+// The program of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
 // d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging
 // two at the same vertex whose sets are disjoint. It looks for a tree of length at most `cut` and keeps only states
 // that such an optimal tree T can be made of:

@@ -55,7 +55,7 @@ enum class Outcome
 };
 
 // If not all terminals are connected there is no tree; otherwise there is one whatever the outcome, except when the
-// budget is too small for the textbook programme.
+// budget is too small for the textbook program.
 struct Solution
 {
   Outcome outcome = Outcome::done;

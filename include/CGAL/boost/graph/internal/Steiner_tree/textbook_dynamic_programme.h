@@ -23,7 +23,7 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-// The programme of Dreyfus and Wagner (1971) in the form of Erickson, Monma and Veinott (1987), as the paper uses it
+// The program of Dreyfus and Wagner (1971) in the form of Erickson, Monma and Veinott (1987), as the paper uses it
 // for comparison: for all sets I of terminals but the last, in an order in which subsets come first, and all vertices
 // v, the length of the shortest tree that connects v and I is the shortest over merges of two trees at v and
 // paths to other vertices. O(3^k n + 2^k (m + n log n)) time, O(2^k n) memory: a reference for small k.
