@@ -97,7 +97,7 @@ void measure(const std::filesystem::path& file, Counts& path_counts, Counts& fin
   {
     const Flat_mesh& part = component.mesh;
     if(component.topology.genus() == 0 && component.topology.border_loops == 0)
-      measure(file.filename().string() + ",path", part, make_cut(part, farthest_pair_path(part, 0)), path_counts);
+      measure(file.filename().string() + ",path", part, make_cut(part, path_to_farthest_vertex(part, 0, 2)), path_counts);
     if(has_cut)
       measure(file.filename().string() + ",final", part, component.restriction(final_cut), final_counts);
   }

@@ -79,6 +79,7 @@ Detection candidates(const Surface& surface)
 {
   const int start = int(std::mt19937(0)() % std::mt19937::result_type(surface.mesh.number_of_vertices()));
   Flat::Cutting_parameters parameters;
+  parameters.is_faithful = true;
   parameters.conformal_solver = SMC::Conformal_solver::KP_NEWTON;
   Flat::Run_control control;
   Detection detection;
@@ -132,7 +133,7 @@ void evaluate(const Surface& surface, const std::vector<int>& features, const st
     mesh, Flat::unconstrained(mesh), features, options, [] { return true; });
   const double connect_seconds = cpu_seconds() - start;
   Flat::Run_control control;
-  Flat::Running_map<SMP::Simplicial_solver> map(mesh, surface.shapes, control);
+  Flat::Running_map<SMP::Simplicial_solver> map(mesh, surface.shapes, Flat::Mapping_policy(), control);
   const bool is_mapped = connected.has_cut() && map.initialize(connected.cut);
   std::cout << (is_mapped ? "done" : "no map") << ',' << connected.number_of_auxiliary_points << ','
             << Flat::cut_length(mesh, connected.cut) / diagonal << ',' << map.energy() << ',' << connect_seconds

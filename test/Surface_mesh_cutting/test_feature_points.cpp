@@ -164,8 +164,8 @@ void test_replay(CGAL::Random& random, int& decisions)
   const SMC::Flat_mesh mesh = random_star_shape(14, random);
   const std::vector<SMP::Rest_shape> shapes = SMP::rest_shapes(mesh.triangles(), mesh.points());
   SMC::Run_control control;
-  SMC::Running_map<SMP::Simplicial_solver> map(mesh, shapes, control);
-  check(map.initialize(SMC::make_cut(mesh, SMC::farthest_pair_path(mesh, 0))), "initial map");
+  SMC::Running_map<SMP::Simplicial_solver> map(mesh, shapes, SMC::Mapping_policy(), control);
+  check(map.initialize(SMC::make_cut(mesh, SMC::path_to_farthest_vertex(mesh, 0, 2))), "initial map");
   SMC::Shortest_paths paths(mesh.graph());
   const double threshold = 0.01;
   for(int i = 0; i < 12; ++i)
@@ -234,7 +234,7 @@ void test_speculation(bool is_closed, CGAL::Random& random, int& decisions)
   const SMC::Flat_mesh mesh = random_star_shape(random.get_int(10, 20), random);
   Filtering f{mesh, SMP::rest_shapes(mesh.triangles(), mesh.points()), {}, {}, {}};
   if(!is_closed)
-    f.cut = SMC::make_cut(mesh, SMC::farthest_pair_path(mesh, 0));
+    f.cut = SMC::make_cut(mesh, SMC::path_to_farthest_vertex(mesh, 0, 2));
   for(int v = random.get_int(0, 20); v < mesh.number_of_vertices(); v += random.get_int(5, 25))
     f.candidates.push_back({v, random.get_double(0, 25) * SMC::average_edge_length(mesh)});
   f.terminals.push_back(f.candidates[f.candidates.size() / 2].vertex);

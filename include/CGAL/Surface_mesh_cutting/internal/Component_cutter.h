@@ -191,7 +191,7 @@ private:
     result.status = detected.status;
     result.candidates = detected.number_of_candidates;
     result.add(detected.trade_offs);
-    if(!detected.trade_offs.empty())
+    if(!detected.trade_offs.empty() && (m_initial.is_given() || !parameters.is_faithful))
       m_energy_to_regain = m_initial.is_given()
                            ? detected.trade_offs.front().E_iso + m_parameters.minimum_distortion_decrease
                            : 2 * detected.trade_offs.back().E_iso;

@@ -63,7 +63,7 @@ public:
   Cut_refiner(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
               const std::vector<int>& terminals, const Cutting_parameters& parameters, Run_control& control)
     : m_mesh(mesh), m_constraints(constraints), m_terminals(terminals), m_parameters(parameters),
-      m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints), m_map(mesh, shapes, control)
+      m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints), m_map(mesh, shapes, mapping_policy(parameters), control)
   {}
 
   // Connects the features; call first.
@@ -74,9 +74,12 @@ public:
     return m_tree.status;
   }
 
-  // Maps the surface opened along the connected cut to the given precision; call after connect(). False if no
-  // flip-free map was found or the run was stopped.
-  bool map(double precision = Running_map<LinearSolver>::running_precision)
+  // Maps the surface opened along the connected cut; call after connect(). False if no flip-free map was
+  // found or the run was stopped.
+  bool map() { return map(m_map.policy().precision); }
+
+  // The same with another precision.
+  bool map(double precision)
   {
     return map(m_tree.cut, std::numeric_limits<double>::infinity(), precision);
   }
@@ -198,7 +201,8 @@ private:
 
   // Maps the surface opened along the cut. False also if the energy is above `bound`, as soon as that is
   // foreseeable.
-  bool map(const Cut& cut, double bound, double precision = Running_map<LinearSolver>::running_precision)
+  bool map(const Cut& cut, double bound) { return map(cut, bound, m_map.policy().precision); }
+  bool map(const Cut& cut, double bound, double precision)
   {
     if(!m_map.initialize(cut, bound, precision))
       return false;

@@ -39,7 +39,7 @@ struct Cutting_parameters
   double forbidden_radius = 10;              // d_n
   double candidate_radius = 5;               // of the disk around a candidate (Section 3.1.2)
   Conformal_solver conformal_solver = Conformal_solver::SPECTRAL;
-  // Whether to stay with the paper: only local maximizers are candidates.
+  // Whether to do what the paper says and nothing else, see the table in the manual.
   bool is_faithful = false;
   // Whether the final map of a component has to be injective, too.
   bool do_bijective = false;
@@ -53,6 +53,9 @@ struct Cutting_parameters
   // budget; most trees are proven optimal within this one.
   std::size_t number_of_states_while_refining = 500000;
   unsigned int random_seed = 0;
+
+  // Of the search for a long path: the paper starts at a random vertex.
+  int number_of_sweeps() const { return is_faithful ? 1 : 2; }
 };
 
 } // namespace internal

@@ -39,7 +39,7 @@ public:
                 const Edge_constraints& constraints, const std::vector<int>& terminals,
                 const Cutting_parameters& parameters, Run_control& control)
     : m_mesh(mesh), m_constraints(constraints), m_parameters(parameters), m_control(control), m_disks(mesh),
-      m_paths(mesh.graph()), m_maps(mesh, shapes, control), m_is_on_cut(mesh.number_of_vertices(), 0),
+      m_paths(mesh.graph()), m_maps(mesh, shapes, mapping_policy(parameters), control), m_is_on_cut(mesh.number_of_vertices(), 0),
       m_is_terminal(mesh.number_of_vertices(), 0)
   {
     for(int v : terminals)

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/Mapping_policy.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/candidates.h>
 
@@ -50,22 +51,24 @@ template <typename LinearSolver>
 class Running_map
 {
 public:
-  // An accuracy well below epsilon_iso suffices: what the last step leaves is far less than the
-  // decrement before it.
-  static constexpr double running_precision = 1e-4;
   static constexpr double hopeless_energy = 100; // area-averaged
 
   // Also aborts once `is_vain()`; call `restore()` afterwards.
-  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control,
-              std::function<bool()> is_vain = [] { return false; })
-    : m_mesh(mesh), m_shapes(shapes), m_weights(area_weights(shapes)), m_control(control),
+  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
+              Run_control& control, std::function<bool()> is_vain = [] { return false; })
+    : m_mesh(mesh), m_shapes(shapes), m_policy(policy), m_weights(area_weights(shapes)), m_control(control),
       m_is_vain(std::move(is_vain)), m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
   {}
 
   // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
-  // above `bound`, or if the run was stopped. `precision`: see `Newton_options::decrement`.
-  bool initialize(const Cut& cut, double bound = std::numeric_limits<double>::infinity(),
-                  double precision = running_precision)
+  // above `bound`, or if the run was stopped.
+  bool initialize(const Cut& cut, double bound = std::numeric_limits<double>::infinity())
+  {
+    return initialize(cut, bound, m_policy.precision);
+  }
+
+  // The same with another precision, see `Newton_options::decrement`.
+  bool initialize(const Cut& cut, double bound, double precision)
   {
     m_state.cut = cut;
     m_state.chart = make_chart(m_mesh, cut);
@@ -74,7 +77,7 @@ public:
     Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
     Newton_options o = options();
     o.decrement = precision;
-    if(!parameterizer.isometric_start(m_state.uv, o))
+    if(!parameterizer.isometric_start(m_state.uv, o, m_policy.first_map))
       return false;
     o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
     const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
@@ -88,6 +91,8 @@ public:
   const Chart& chart() const { return m_state.chart; }
   const std::vector<Eigen::Vector2d>& uv() const { return m_state.uv; }
   double energy() const { return m_state.energy; }
+
+  const Mapping_policy& policy() const { return m_policy; }
 
   // What there is can be kept and put back.
   const Open_chart& state() const { return m_state; }
@@ -122,14 +127,17 @@ public:
   bool is_hopeless() const { return m_state.energy > hopeless_energy; }
 
   // Far from the optimum, which a slit that changes much can leave the map, starting anew through
-  // the hierarchy takes fewer solves than going on. A hopeless map came from there already.
+  // the hierarchy takes fewer solves than going on. A hopeless map came from there already; the paper
+  // always goes on.
   void converge()
   {
     constexpr int patience = 6;
+    const bool may_start_anew = m_policy.first_map == First_map::HIERARCHY;
     Newton_options o = options();
-    o.maximum_iterations = patience;
+    if(may_start_anew)
+      o.maximum_iterations = patience;
     Newton_result result = solve(o);
-    if(result.outcome == Newton_outcome::ITERATION_LIMIT && result.energy <= hopeless_energy)
+    if(may_start_anew && result.outcome == Newton_outcome::ITERATION_LIMIT && result.energy <= hopeless_energy)
     {
       std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
       Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
@@ -143,7 +151,7 @@ public:
       }
     }
     m_state.energy = result.energy;
-    m_state.precision = running_precision;
+    m_state.precision = m_policy.precision;
   }
 
   // Opens the slit in any case.
@@ -232,7 +240,7 @@ private:
   Newton_options options()
   {
     Newton_options o;
-    o.decrement = running_precision;
+    o.decrement = m_policy.precision;
     o.stop = [this](const Newton_state&) { return !go_further(); };
     return o;
   }
@@ -253,7 +261,7 @@ private:
       gain += solve_window(threshold, gain);
       if(gain > threshold || is_stopped())
         return true;
-      if(window.largest_factor * gain < threshold)
+      if(m_policy.uses_estimates && window.largest_factor * gain < threshold)
         return false;
     }
     return is_globally_useful(threshold);
@@ -275,7 +283,7 @@ private:
     o.stop = [&](const Newton_state& s)
     {
       is_useful = s.energy < target;
-      is_decided = is_useful || is_out_of_reach(target, s) || !go_further();
+      is_decided = is_useful || (m_policy.uses_estimates && is_out_of_reach(target, s)) || !go_further();
       return is_decided;
     };
     const Newton_result result = solve(o);
@@ -374,6 +382,7 @@ private:
 
   const Flat_mesh& m_mesh;
   const std::vector<Rest_shape>& m_shapes;
+  Mapping_policy m_policy;
   std::vector<double> m_weights;
   Run_control& m_control;
   std::function<bool()> m_is_vain;

@@ -38,11 +38,12 @@ class Speculative_map
   static constexpr int none = (std::numeric_limits<int>::max)();
 
 public:
-  Speculative_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control)
+  Speculative_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
+                  Run_control& control)
     : m_control(control), m_trials(number_of_copies(), none)
   {
     for(std::size_t i = 0; i < m_trials.size(); ++i)
-      m_copies.emplace_back(mesh, shapes, control, [this, i] { return m_first_useful < m_trials[i]; });
+      m_copies.emplace_back(mesh, shapes, policy, control, [this, i] { return m_first_useful < m_trials[i]; });
   }
 
   bool initialize(const Cut& cut)

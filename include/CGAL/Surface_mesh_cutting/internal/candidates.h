@@ -58,19 +58,21 @@ inline std::vector<Point> chart_points(const Flat_mesh& mesh, const Chart& chart
 // An as-conformal-as-possible map without flips. False if none was found or the run was stopped.
 template <typename LinearSolver>
 bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Chart& chart,
-                   Conformal_solver conformal_solver, Run_control& control, std::vector<Eigen::Vector2d>& uv)
+                   const Cutting_parameters& parameters, Run_control& control, std::vector<Eigen::Vector2d>& uv)
 {
   using namespace Surface_mesh_parameterization::internal;
   const std::vector<Point> points = chart_points(mesh, chart);
   int flips = 0;
-  if(conformal_solver == Conformal_solver::SPECTRAL && spectral_conformal_map(chart, shapes, uv, &flips) &&
+  if(parameters.conformal_solver == Conformal_solver::SPECTRAL && spectral_conformal_map(chart, shapes, uv, &flips) &&
      (flips == 0 || remove_flips(chart, points, uv)))
     return control.go_further();
   Chart_parameterizer<LinearSolver> parameterizer(chart, points, shapes);
   Newton_options options;
-  options.decrement = 1e-4; // where the map is distorted shows long before
+  if(!parameters.is_faithful)
+    options.decrement = 1e-4; // where the map is distorted shows long before
   options.stop = [&](const auto&) { return !control.go_further(); };
-  return parameterizer.conformal_map(uv, options).outcome != Newton_outcome::FAILED && !control.is_stopped();
+  const First_map first_map = parameters.is_faithful ? First_map::TUTTE : First_map::HIERARCHY;
+  return parameterizer.conformal_map(uv, options, first_map).outcome != Newton_outcome::FAILED && !control.is_stopped();
 }
 
 // The isometric distortion of an as-conformal-as-possible map of the surface opened along `cut`, per
@@ -82,7 +84,7 @@ std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Re
   using namespace Surface_mesh_parameterization::internal;
   const Chart chart = make_chart(mesh, cut);
   std::vector<Eigen::Vector2d> uv;
-  if(!conformal_map<LinearSolver>(mesh, shapes, chart, parameters.conformal_solver, control, uv))
+  if(!conformal_map<LinearSolver>(mesh, shapes, chart, parameters, control, uv))
     return {};
   return vertex_averages(shapes, mesh.triangles(),
                          face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv),
@@ -187,17 +189,27 @@ inline double largest_remote_part(const Flat_mesh& mesh, const Shortest_paths& f
   return largest_area;
 }
 
+// A vertex of one of the marked faces, any of them depending on `random_number`.
+inline int start_in_part(const Flat_mesh& mesh, const std::vector<char>& is_in_part, int random_number)
+{
+  const auto number_of_faces = std::count(is_in_part.begin(), is_in_part.end(), char(1));
+  auto face = std::find(is_in_part.begin(), is_in_part.end(), char(1));
+  for(auto i = random_number % number_of_faces; i > 0; --i)
+    face = std::find(face + 1, is_in_part.end(), char(1));
+  return mesh.triangles()[face - is_in_part.begin()][0];
+}
+
 // The second cut (paper, Section 3.1.1, Steps 3 to 6): far from the first one and its maximizers. The
 // forbidden region shrinks until the largest part outside holds `minimum_area_ratio` of the area
-// and, beyond the paper, a path of useful length; at radius 0 the part is the whole surface. Empty if
-// the run was stopped.
-inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>& first_cut,
+// and, unless the paper is followed, a path of useful length; at radius 0 the part is the whole surface.
+// `start` serves as a random number. Empty if the run was stopped.
+inline std::vector<int> second_cut(const Flat_mesh& mesh, int start, const std::vector<int>& first_cut,
                                    const std::vector<int>& first_maximizers, const Cutting_parameters& parameters,
                                    Run_control& control)
 {
-  constexpr double shrinking = 0.9, useful_length = 0.1;
+  constexpr double shrinking = 0.9;
+  const double useful_length = parameters.is_faithful ? 0 : 0.1 * total_length(mesh, first_cut);
   Shortest_paths from_centers(mesh.graph());
-  const double first_length = total_length(mesh, first_cut);
   double area = 0;
   for(int e : first_cut)
   {
@@ -219,10 +231,10 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
     // Summed in another order, the whole area may seem less than itself.
     if(radius == 0 || remote_area >= parameters.minimum_area_ratio * area)
     {
-      const int start = mesh.triangles()[std::find(is_in_part.begin(), is_in_part.end(), char(1))
-                                         - is_in_part.begin()][0];
-      const std::vector<int> path = farthest_pair_path(mesh, start, edges_of_faces(mesh, is_in_part));
-      if((path.size() > 1 && total_length(mesh, path) >= useful_length * first_length) || radius == 0)
+      const std::vector<int> path
+        = path_to_farthest_vertex(mesh, start_in_part(mesh, is_in_part, parameters.is_faithful ? start : 0),
+                                  parameters.number_of_sweeps(), edges_of_faces(mesh, is_in_part));
+      if(radius == 0 || total_length(mesh, path) >= useful_length)
         return path;
     }
     radius = radius > 0.01 * average ? shrinking * radius : 0;
@@ -254,14 +266,14 @@ template <typename LinearSolver>
 std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
                                        int start, const Cutting_parameters& parameters, Run_control& control)
 {
-  const std::vector<int> first = farthest_pair_path(mesh, start);
+  const std::vector<int> first = path_to_farthest_vertex(mesh, start, parameters.number_of_sweeps());
   const std::vector<double> first_distortion
     = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, first), parameters, control);
   control.report(Phase::CANDIDATES, 0.5);
   if(first_distortion.empty())
     return {};
   const std::vector<int> second
-    = second_cut(mesh, first, local_maximizers(mesh, first_distortion), parameters, control);
+    = second_cut(mesh, start, first, local_maximizers(mesh, first_distortion), parameters, control);
   if(control.is_stopped())
     return {};
   std::vector<double> distortion

@@ -83,8 +83,7 @@ inline int farthest_vertex(const Flat_mesh& mesh, Shortest_paths& paths, int v,
 
 // A cut of one edge leaves a border of two edges, on which no flip-free map exists: such a cut is
 // extended by the allowed edge (empty: any) that leads farthest.
-inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges,
-                               const std::vector<char>& is_allowed = {})
+inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges, const std::vector<char>& is_allowed)
 {
   if(edges.size() != 1)
     return;
@@ -106,18 +105,19 @@ inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges,
     edges.push_back(best);
 }
 
-// The edges of the shortest path between two vertices that are far apart (paper, Section 3.1.1): the
-// search is repeated from the vertex it ends at, which brings both ends to extremities of the
-// surface. All within the allowed edges.
-inline std::vector<int> farthest_pair_path(const Flat_mesh& mesh, int start,
-                                           const std::vector<char>& is_allowed = {})
+// The edges of the shortest path from `start` to the vertex farthest from it (paper, Section 3.1.1). With
+// two sweeps, the path starts from there instead, which brings both ends to extremities of the surface.
+// All within the allowed edges (empty: all).
+inline std::vector<int> path_to_farthest_vertex(const Flat_mesh& mesh, int start, int number_of_sweeps,
+                                                const std::vector<char>& is_allowed = {})
 {
   Shortest_paths paths(mesh.graph());
-  const int one_end = farthest_vertex(mesh, paths, start, is_allowed);
-  const int other_end = farthest_vertex(mesh, paths, one_end, is_allowed);
+  int end = start;
+  for(int i = 0; i < number_of_sweeps; ++i)
+    end = farthest_vertex(mesh, paths, end, is_allowed);
   std::vector<int> edges;
-  paths.path(other_end, std::back_inserter(edges));
-  extend_single_edge(mesh, edges);
+  paths.path(end, std::back_inserter(edges));
+  extend_single_edge(mesh, edges, is_allowed);
   return edges;
 }
 

@@ -30,6 +30,14 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
+// What a map from nothing starts from. Should that fail, the other one is tried.
+enum class First_map
+{
+  HIERARCHY,
+  TUTTE // of the whole chart: three times as many iterations, and rounding spoils it where long parts hang on
+        // a short border
+};
+
 // Flip-free maps of one chart: from nothing, or better ones from a given one. Keeps what does not
 // change between solves: shapes, weights and the symbolic factorization.
 template <typename LinearSolver = Simplicial_solver>
@@ -43,13 +51,11 @@ public:
       m_solver(chart.triangles(), chart.number_of_vertices())
   {}
 
-  // As conformal as possible, free border (paper, Section 3.4): KP-Newton on the MIPS energy, from
-  // the hierarchical map, or from Tutte's embedding should the hierarchy fail. Tutte's embedding of
-  // the whole chart, the paper's start, costs three times as many iterations, and collapses in
-  // floating point where long parts hang on a short border. The result has the surface's area.
-  Newton_result conformal_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
+  // As conformal as possible, free border: KP-Newton on the MIPS energy. The result has the surface's area.
+  Newton_result conformal_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options,
+                              First_map first_map = First_map::HIERARCHY)
   {
-    if(!start<MIPS_energy>(uv, options))
+    if(!start<MIPS_energy>(uv, options, first_map))
       return Newton_result();
     return improve_conformally(uv, options);
   }
@@ -72,9 +78,10 @@ public:
   }
 
   // The start of `isometric_map()`. False if no flip-free map was found or the run was stopped.
-  bool isometric_start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options) const
+  bool isometric_start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options,
+                       First_map first_map = First_map::HIERARCHY) const
   {
-    return start<Symmetric_Dirichlet_energy>(uv, options);
+    return start<Symmetric_Dirichlet_energy>(uv, options, first_map);
   }
 
   // From the flip-free map `uv`, which is first brought to its best scale.
@@ -88,11 +95,14 @@ public:
 
 private:
   template <typename Energy>
-  bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options) const
+  bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map) const
   {
+    const auto map_by_tutte = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), uv); };
+    if(first_map == First_map::TUTTE && map_by_tutte())
+      return true;
     const Stages_outcome outcome = hierarchical_map<Energy, LinearSolver>(m_chart, m_points, uv, options.stop);
     return outcome == Stages_outcome::MAPPED ||
-           (outcome == Stages_outcome::FAILED && tutte_map(m_chart, m_points, surface_area(m_shapes), uv));
+           (outcome == Stages_outcome::FAILED && first_map != First_map::TUTTE && map_by_tutte());
   }
 
   const Chart& m_chart;
