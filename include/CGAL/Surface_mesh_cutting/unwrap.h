@@ -25,7 +25,8 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// cuts a surface as `greedy_cut()` does and flattens it without flips and with low isometric distortion.
-/// Exact predicates check the map before it is returned.
+/// Exact predicates check the map with the coordinates that `halfedge_uv_map` holds, also if these are of type `float`
+/// or of an exact number type: where rounding to them spoils the map, it is repaired.
 ///
 /// The cost is that of `greedy_cut()` plus that of the final map: a few sparse linear systems of the size of
 /// the surface.
@@ -37,7 +38,7 @@ namespace Surface_mesh_cutting {
 ///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
 /// \tparam HalfedgeUVMap a model of `WritablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a value type that
-///         can be constructed from two `double`, such as `%Point_2`
+///         can be constructed from two numbers and has members `x()` and `y()`, such as `%Point_2` of any kernel
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface; it is not modified
@@ -75,12 +76,13 @@ Unwrap_result<TriangleMesh> unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge_
                                    HalfedgeUVMap halfedge_uv_map,
                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::run<ConcurrencyTag>(tmesh, internal::Goal::MAP,
-                                       [&](const auto& adapter, const internal::Mesh_result& result)
-                                       {
-                                         adapter.write_cut(result.cut, edge_is_cut_map);
-                                         adapter.write_uvs(result.chart, result.uv, halfedge_uv_map);
-                                       }, np);
+  using UV = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  return internal::run<ConcurrencyTag, UV>(tmesh, internal::Goal::MAP,
+                                           [&](const auto& adapter, const internal::Mesh_result& result)
+                                           {
+                                             adapter.write_cut(result.cut, edge_is_cut_map);
+                                             adapter.write_uvs(result.chart, result.uv, halfedge_uv_map);
+                                           }, np);
 }
 
 } // namespace Surface_mesh_cutting

@@ -304,8 +304,7 @@ private:
     if(has_bound() && m_parameters.do_bijective && result.energy > m_parameters.maximum_distortion)
       tighten(refiner, result);
     if(result.status && result.energy > m_parameters.maximum_distortion)
-      result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
-                                  "no cut was found whose map keeps the maximum distortion");
+      result.status = bound_missed();
   }
 
   void refine_and_parameterize(Refiner& refiner, double bound, int number_of_solves, Component_result& result)

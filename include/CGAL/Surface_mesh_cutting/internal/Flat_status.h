@@ -61,6 +61,11 @@ inline Flat_status stopped_status()
   return Flat_status(Status_code::STOPPED, "the visitor or the time limit ended the run");
 }
 
+inline Flat_status bound_missed()
+{
+  return Flat_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map keeps the maximum distortion");
+}
+
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL

@@ -32,6 +32,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -128,18 +129,24 @@ public:
     return uvs;
   }
 
-  // The inverse, for UVs of the vertices of `chart` at the scale of the flat mesh.
+  // What a map with this value type makes of a UV at the scale of the flat mesh: it may hold fewer digits, and
+  // what overflows or underflows at the scale of the caller's mesh does so here.
+  template <typename Point_2>
+  Eigen::Vector2d rounded_uv(const Eigen::Vector2d& uv) const
+  {
+    const Point_2 p = make_uv<Point_2>(uv);
+    return Surface_mesh_parameterization::internal::scaled(
+      Eigen::Vector2d(CGAL::to_double(p.x()), CGAL::to_double(p.y())), -m_exponent);
+  }
+
+  // The inverse of `read_uvs()`, for UVs of the vertices of `chart` at the scale of the flat mesh.
   template <typename HalfedgeUVMap>
   void write_uvs(const Chart& chart, const std::vector<Eigen::Vector2d>& uv,
                  HalfedgeUVMap halfedge_uv_map) const
   {
     using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
     for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-    {
-      const Eigen::Vector2d p
-        = Surface_mesh_parameterization::internal::scaled(uv[chart.target(h)], m_exponent);
-      put(halfedge_uv_map, m_halfedges[h], Point_2(p.x(), p.y()));
-    }
+      put(halfedge_uv_map, m_halfedges[h], make_uv<Point_2>(uv[chart.target(h)]));
   }
 
   // Replaces indices by descriptors and appends the first of them to the messages.
@@ -153,6 +160,14 @@ public:
   }
 
 private:
+  template <typename Point_2>
+  Point_2 make_uv(const Eigen::Vector2d& uv) const
+  {
+    using Number = std::decay_t<decltype(std::declval<const Point_2&>().x())>;
+    const Eigen::Vector2d p = Surface_mesh_parameterization::internal::scaled(uv, m_exponent);
+    return Point_2(static_cast<Number>(p.x()), static_cast<Number>(p.y()));
+  }
+
   Surface_mesh_cutting::Finding<TriangleMesh> translate(const Finding& flat) const
   {
     Surface_mesh_cutting::Finding<TriangleMesh> finding;

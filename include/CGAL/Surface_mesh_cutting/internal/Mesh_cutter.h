@@ -15,13 +15,12 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/Component_cutter.h>
-#include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/keep_one_island.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Map_measures.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
 
@@ -29,12 +28,15 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::Map_measures;
 
 // What a run found, in terms of the whole flat mesh.
 struct Mesh_result
@@ -63,10 +65,10 @@ template <typename LinearSolver, typename ConcurrencyTag>
 class Mesh_cutter
 {
 public:
-  // The UVs will be handed out multiplied by 2^exponent.
-  Mesh_cutter(const Flat_mesh& mesh, int exponent, const Cutting_constraints& constraints, const Request& request,
+  // `round`: what becomes of a UV at the scale of the flat mesh when it is handed out and read back.
+  Mesh_cutter(const Flat_mesh& mesh, Round round, const Cutting_constraints& constraints, const Request& request,
               Run_control& control, Phase_clock& clock)
-    : m_mesh(mesh), m_exponent(exponent), m_constraints(constraints), m_request(request), m_control(control), m_clock(clock)
+    : m_mesh(mesh), m_round(std::move(round)), m_constraints(constraints), m_request(request), m_control(control), m_clock(clock)
   {}
 
   Mesh_result run(Goal goal)
@@ -261,36 +263,50 @@ private:
     }
   }
 
-  // Measures the map and proves it free of flips and, on request, of overlaps; a map that fails is not returned.
+  // Measures the map as the caller's map will hold it and proves it free of flips and, if asked for, of overlaps; a
+  // map that fails is not handed out.
   void certify(Mesh_result& result) const
   {
-    using namespace Surface_mesh_parameterization::internal;
-    const std::vector<Rest_shape> shapes = rest_shapes(m_mesh.triangles(), m_mesh.points());
-    const double scale = best_scale(shapes, result.chart.triangles(), result.uv);
-    for(Eigen::Vector2d& u : result.uv) // what overflows or underflows in the end has to do so before the check
-      u = scaled(scaled(Eigen::Vector2d(scale * u), m_exponent), -m_exponent);
-    const std::vector<double> energies
-      = face_energies<Symmetric_Dirichlet_energy>(shapes, result.chart.triangles(), result.uv);
-    result.average_energy = area_average(shapes, energies);
-    result.maximum_energy = *std::max_element(energies.begin(), energies.end());
-    const Flat_status disks = check_disks(result.chart);
     const bool do_bijective = m_request.parameters.do_bijective;
-    const Certificate certificate = internal::certify(result.chart, result.uv, do_bijective);
-    result.flips = certificate.flips;
+    const Map_measures measures(m_mesh.triangles(), m_mesh.points(), result.chart.triangles());
+    const double scale = measures.best_scale(result.uv);
+    for(Eigen::Vector2d& u : result.uv)
+      u *= scale;
+    Certified_map map = certified_map(result.chart, result.uv, do_bijective, m_round);
+    result.uv = std::move(map.uv);
+    result.flips = map.certificate.flips;
     if(do_bijective)
-      result.overlaps = certificate.overlaps();
-    result.has_result = disks && certificate;
+      result.overlaps = map.certificate.overlaps();
+    const Flat_status disks = check_disks(result.chart);
+    result.has_result = disks && map.certificate;
     if(!disks)
       result.status.finding = disks.finding;
-    else if(!certificate)
-      result.status.finding = certificate.status().finding;
-    else if(result.average_energy <= m_request.parameters.maximum_distortion && !m_request.needs_optimal_tree &&
-            result.status.finding.code == Status_code::BOUND_NOT_REACHED)
-      result.status.finding = Finding(); // a component alone misses the bound, the whole keeps it
+    else if(!map.certificate)
+      result.status.finding = map.certificate.status().finding;
+    else
+      measure(measures, result);
+  }
+
+  // What decides whether a bound is kept is the map as it is: an energy of the whole, of faces as thin as they are.
+  void measure(const Map_measures& measures, Mesh_result& result) const
+  {
+    const Map_measures::Energies energies = measures.energies(result.uv);
+    result.average_energy = energies.average;
+    result.maximum_energy = energies.maximum;
+    if(measures.has_thickened_faces())
+      result.status.warnings.push_back(Finding{Status_code::OK, "the mean energy without the faces of (nearly) no area is "
+                                                                  + std::to_string(energies.average_of_others),
+                                               Element_kind::NONE, {}});
+    const bool keeps_bound = result.average_energy <= m_request.parameters.maximum_distortion;
+    Finding& finding = result.status.finding;
+    if(finding.code == Status_code::OK && !keeps_bound)
+      finding = bound_missed().finding;
+    else if(finding.code == Status_code::BOUND_NOT_REACHED && keeps_bound && !m_request.needs_optimal_tree)
+      finding = Finding(); // a component alone misses the bound, the whole keeps it
   }
 
   const Flat_mesh& m_mesh;
-  const int m_exponent;
+  const Round m_round;
   const Cutting_constraints& m_constraints;
   const Request& m_request;
   Run_control& m_control;

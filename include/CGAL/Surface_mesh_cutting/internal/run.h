@@ -59,8 +59,9 @@ void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<T
 }
 
 // The common part of the calls that run the method: checks, runs, lets `write(adapter, found)` hand out
-// the result if there is one, and reports.
-template <typename ConcurrencyTag, typename TriangleMesh, typename Write, typename NamedParameters>
+// the result if there is one, and reports. The map is proven for UVs held as `UV`.
+template <typename ConcurrencyTag, typename UV = Eigen::Vector2d, typename TriangleMesh, typename Write,
+          typename NamedParameters>
 Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write write, const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -86,10 +87,12 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
     status.finding = read_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), adapter.exponent(),
-                                                                          constraints, request, control, clock);
+    const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
+    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), round, constraints, request,
+                                                                          control, clock);
     const Mesh_result found = cutter.run(goal);
     status.finding = found.status.finding;
+    status.warnings.insert(status.warnings.end(), found.status.warnings.begin(), found.status.warnings.end());
     translate(found, adapter, result);
     if(found.has_result)
       write(adapter, found);

@@ -45,8 +45,9 @@ inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   return Rest_shape{gradient(b, c), gradient(c, a), gradient(a, b), 0.5 * twice_area};
 }
 
-// Of a triangle over its longest edge; an angle of about 1e-5 degrees.
-constexpr double minimal_height = 1e-7;
+// Of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates are
+// rounded to 1e-16 of the whole.
+constexpr double minimal_height = 1e-10;
 
 // From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get a
 // minimal height relative to their longest edge, and points become equilateral with sides of

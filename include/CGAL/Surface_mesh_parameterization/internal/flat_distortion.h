@@ -58,22 +58,36 @@ inline double area_average(const std::vector<Rest_shape>& shapes,
   return sum / area;
 }
 
-// The factor to multiply a flip-free map with, so that its area-averaged symmetric Dirichlet energy
-// becomes as small as possible: that of |sJ|^2 + |(sJ)^-1|^2 = s^2 |J|^2 + s^-2 |J^-1|^2.
-inline double best_scale(const std::vector<Rest_shape>& shapes,
-                         const std::vector<Triangle>& triangles,
-                         const std::vector<Eigen::Vector2d>& uv)
+// What the scale of a map depends on: the sums of area |J|^2 and area |J^-1|^2.
+struct Stretch_sums
 {
   double stretch = 0, compression = 0;
+
+  // The factor to multiply the map with, so that its area-averaged symmetric Dirichlet energy becomes as
+  // small as possible: that of |sJ|^2 + |(sJ)^-1|^2 = s^2 |J|^2 + s^-2 |J^-1|^2.
+  double best_scale() const { return std::sqrt(std::sqrt(compression / stretch)); }
+};
+
+// Of a flip-free map.
+inline Stretch_sums stretch_sums(const std::vector<Rest_shape>& shapes, const std::vector<Triangle>& triangles,
+                                 const std::vector<Eigen::Vector2d>& uv)
+{
+  Stretch_sums sums;
   for(std::size_t t = 0; t < shapes.size(); ++t)
   {
     const Triangle& v = triangles[t];
     const Wirtinger_derivatives d = wirtinger_derivatives(shapes[t], uv[v[0]], uv[v[1]], uv[v[2]]);
     const double squared_norm = 2 * (d.x() + d.y()), determinant = d.x() - d.y();
-    stretch += shapes[t].area * squared_norm;
-    compression += shapes[t].area * squared_norm / (determinant * determinant);
+    sums.stretch += shapes[t].area * squared_norm;
+    sums.compression += shapes[t].area * squared_norm / (determinant * determinant);
   }
-  return std::sqrt(std::sqrt(compression / stretch));
+  return sums;
+}
+
+inline double best_scale(const std::vector<Rest_shape>& shapes, const std::vector<Triangle>& triangles,
+                         const std::vector<Eigen::Vector2d>& uv)
+{
+  return stretch_sums(shapes, triangles, uv).best_scale();
 }
 
 // The average over the triangles at each vertex, weighted by area; 0 at an isolated vertex.

@@ -109,7 +109,7 @@ public:
     }
   }
 
-private:
+  // The mean of the corners of the kernel.
   bool kernel_centroid(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
   {
     Eigen::Vector2d low = star.front().a, high = low;
@@ -136,6 +136,7 @@ private:
     return is_positive(star, center);
   }
 
+private:
   static bool is_positive(const std::vector<Star_triangle>& star, const Eigen::Vector2d& center)
   {
     return std::all_of(star.begin(), star.end(), [&](const Star_triangle& t)
