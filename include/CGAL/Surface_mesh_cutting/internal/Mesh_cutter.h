@@ -293,6 +293,9 @@ private:
     const Map_measures::Energies energies = measures.energies(result.uv);
     result.average_energy = energies.average;
     result.maximum_energy = energies.maximum;
+    for(Trade_off& t : result.trade_offs) // the result is one of them
+      if(t.cut_length == result.length)
+        t.E_iso = result.average_energy;
     if(measures.has_thickened_faces())
       result.status.warnings.push_back(Finding{Status_code::OK, "the mean energy without the faces of (nearly) no area is "
                                                                   + std::to_string(energies.average_of_others),

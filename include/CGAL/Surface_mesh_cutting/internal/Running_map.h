@@ -34,6 +34,7 @@ namespace internal {
 using Surface_mesh_parameterization::internal::Newton_solver;
 using Surface_mesh_parameterization::internal::Newton_state;
 using Surface_mesh_parameterization::internal::area_weights;
+using Surface_mesh_parameterization::internal::hopeless_energy;
 
 // A surface opened along a cut that leaves one disk, and its isometric map.
 struct Open_chart
@@ -51,8 +52,6 @@ template <typename LinearSolver>
 class Running_map
 {
 public:
-  static constexpr double hopeless_energy = 100; // area-averaged
-
   // Also aborts once `is_vain()`; call `restore()` afterwards.
   Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
               Run_control& control, std::function<bool()> is_vain = [] { return false; })
@@ -77,14 +76,22 @@ public:
     Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
     Newton_options o = options();
     o.decrement = precision;
-    if(!parameterizer.isometric_start(m_state.uv, o, m_policy.first_map))
-      return false;
-    o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
-    const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
-    m_state.energy = result.energy;
-    if(result.outcome == Newton_outcome::CONVERGED)
-      m_state.precision = precision;
-    return result.outcome != Newton_outcome::FAILED && result.energy <= bound && !is_stopped();
+    const auto map_from = [&](First_map first_map)
+    {
+      o.stop = options().stop;
+      if(!parameterizer.isometric_start(m_state.uv, o, first_map))
+        return false;
+      o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
+      const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
+      m_state.energy = result.energy;
+      if(result.outcome == Newton_outcome::CONVERGED)
+        m_state.precision = precision;
+      return result.outcome != Newton_outcome::FAILED;
+    };
+    bool is_mapped = map_from(m_policy.first_map);
+    if(is_mapped && m_policy.first_map == First_map::TUTTE && is_hopeless())
+      is_mapped = map_from(First_map::HIERARCHY);
+    return is_mapped && m_state.energy <= bound && !is_stopped();
   }
 
   const Cut& cut() const { return m_state.cut; }
@@ -122,8 +129,7 @@ public:
     return false;
   }
 
-  // Whether most of the surface is so degenerate that no cut leads to a useful map: the mean energy of
-  // usual first maps is below 10. Then every slit gains, so that searches for slits need a limit.
+  // Whether no cut seems to lead to a useful map. Then every slit gains: searches for slits need a limit.
   bool is_hopeless() const { return m_state.energy > hopeless_energy; }
 
   // Far from the optimum, which a slit that changes much can leave the map, starting anew through

@@ -38,6 +38,10 @@ enum class First_map
         // a short border
 };
 
+// An area-averaged energy, MIPS or symmetric Dirichlet, above that of all useful maps: either the surface is
+// mostly degenerate, or the map started from an embedding that collapsed.
+constexpr double hopeless_energy = 100;
+
 // Flip-free maps of one chart: from nothing, or better ones from a given one. Keeps what does not
 // change between solves: shapes, weights and the symbolic factorization.
 template <typename LinearSolver = Simplicial_solver>
@@ -57,7 +61,8 @@ public:
   {
     if(!start<MIPS_energy>(uv, options, first_map))
       return Newton_result();
-    return improve_conformally(uv, options);
+    const Newton_result result = improve_conformally(uv, options);
+    return first_map == First_map::TUTTE && result.energy > hopeless_energy ? conformal_map(uv, options) : result;
   }
 
   Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
