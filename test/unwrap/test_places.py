@@ -71,7 +71,7 @@ class Places(Case):
     def test_report_on_a_command_line_that_is_not_understood(self):
         self.write("notes.txt", "precious")
         self.write("empty", "")
-        for name in ("notes.txt", "empty"):
+        for name in ("notes.txt", "empty", ".", "x" * 300, "cow.off/x", "/dev/fd/99"):
             self.assert_untouched("cow.off", "--json", name, "--bogus")
         for former in (None, REPORT):
             if former is not None:

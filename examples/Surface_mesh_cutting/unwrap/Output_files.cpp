@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience = 100; // milliseconds between two questions whether to stop
+constexpr int patience = 300; // milliseconds for which a stopped run waits for a reader
 
 class Descriptor
 {
@@ -43,11 +43,11 @@ void write_to(int descriptor, std::string_view content, const fs::path& place)
   {
     // A pipe that is ready takes that much without waiting for its reader.
     pollfd request = {descriptor, POLLOUT, 0};
-    if(poll(&request, 1, patience) <= 0)
-    {
+    const int number_ready = poll(&request, 1, patience);
+    if(number_ready == 0)
       end_if_stop_is_requested();
+    if(number_ready <= 0)
       continue;
-    }
     const ssize_t written = write(descriptor, content.data(), (std::min)(content.size(), std::size_t(PIPE_BUF)));
     if(written >= 0)
       content.remove_prefix(std::size_t(written));
@@ -59,15 +59,16 @@ void write_to(int descriptor, std::string_view content, const fs::path& place)
 // Waits for a reader, if it is a pipe that has a name.
 int open_stream(const fs::path& path)
 {
+  std::error_code error;
   for(;;)
   {
     const int descriptor = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if(descriptor >= 0)
       return descriptor;
-    if(errno != EINTR && !(errno == ENXIO && fs::is_fifo(path)))
+    if(errno != EINTR && !(errno == ENXIO && fs::is_fifo(path, error)))
       fail_to_write(path, std::strerror(errno));
     end_if_stop_is_requested();
-    poll(nullptr, 0, patience);
+    poll(nullptr, 0, patience / 10);
   }
 }
 
@@ -135,7 +136,8 @@ void Output_files::publish()
 
 void Output_files::publish(File& file)
 {
-  if(fs::exists(file.place))
+  std::error_code error;
+  if(fs::exists(file.place, error))
     file.former = make_temporary_file(file.place, [&](const char* name) {
       // As a second name, so that there is always a file; not every file system has them.
       if(link(file.place.c_str(), name) == 0)

@@ -106,7 +106,8 @@ void check_device_or_pipe(const fs::path& path)
 {
   if(faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
     fail_to_write(path, std::strerror(errno));
-  if(fs::is_block_file(path))
+  std::error_code error;
+  if(fs::is_block_file(path, error))
     fail_to_write(path, "it is a disk");
 }
 

@@ -54,8 +54,12 @@ std::vector<std::string> inputs_of(const Options& options)
   return inputs;
 }
 
-bool is_former_report(const fs::path& path)
+// Whether nothing is lost if a report takes this place.
+bool is_free_for_report(const fs::path& path)
 {
+  std::error_code error;
+  if(!fs::exists(path, error))
+    return true;
   const std::string_view start = start_of_report;
   std::ifstream file(path, std::ios::binary);
   std::string bytes(start.size(), '\0');
@@ -90,7 +94,7 @@ void decide_place_of_report(const std::string& name, Output_places& places)
   if(name.empty())
     return;
   const Output_place place = find_place_of_report(name);
-  if(place.kind == Output_place::Kind::REGULAR_FILE && fs::exists(place.path) && !is_former_report(place.path))
+  if(place.kind == Output_place::Kind::REGULAR_FILE && !is_free_for_report(place.path))
     return;
   check_output_place(place);
   places.report = place;
