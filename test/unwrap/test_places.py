@@ -3,8 +3,10 @@
 import json
 import os
 import resource
+import signal
 import stat
 import subprocess
+import time
 import unittest
 
 from support import Case, PROGRAM, TIME_LIMIT, as_nobody, main, sphere, to_off
@@ -115,6 +117,23 @@ class Places(Case):
         with open("/dev/full", "wb") as full:
             self.assert_untouched("cow.off", "-o", "o.obj", "--svg", "new.svg", "--obj-cut", "/dev/stdout",
                                   stdout=full)
+
+    def test_place_that_is_taken_meanwhile(self):
+        """The second of two files cannot be put into its place: the first one is taken back."""
+        self.write("large.off", to_off(sphere(5)))
+        self.write("o.obj", "former")
+        for first in ("o.obj", "new.obj"):
+            program = subprocess.Popen([PROGRAM, "large.off", "-o", first, "--svg", "s.svg"], cwd=self.folder,
+                                       stderr=subprocess.PIPE)
+            time.sleep(0.2)
+            program.send_signal(signal.SIGSTOP)
+            (self.folder / "s.svg").mkdir()
+            program.send_signal(signal.SIGCONT)
+            _, message = program.communicate(timeout=TIME_LIMIT)
+            self.assertEqual(program.returncode, 2, message)
+            self.assertEqual(self.files(), ["cow.off", "large.off", "o.obj", "s.svg"])
+            self.assertEqual((self.folder / "o.obj").read_text(), "former")
+            (self.folder / "s.svg").rmdir()
 
     def test_file_size_limit(self):
         for limit in (0, 1000):

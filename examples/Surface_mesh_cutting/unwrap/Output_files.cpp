@@ -137,7 +137,10 @@ void Output_files::publish()
 void Output_files::publish(File& file)
 {
   std::error_code error;
-  if(fs::exists(file.place, error))
+  const fs::file_status status = fs::status(file.place, error);
+  if(fs::exists(status) && !fs::is_regular_file(status))
+    fail_to_write(file.place, "it is not a file any more");
+  if(fs::exists(status))
     file.former = make_temporary_file(file.place, [&](const char* name) {
       // As a second name, so that there is always a file; not every file system has them.
       if(link(file.place.c_str(), name) == 0)
