@@ -177,6 +177,61 @@ void test_refused()
   assert(SMC::visibility_weights(mesh, weights, 0).code == Status_code::WRONG_PARAMETER);
 }
 
+// Ends the run at its n-th question.
+struct Stopping_visitor : SMC::Default_visitor
+{
+  Stopping_visitor(int n, int& questions) : n(n), questions(questions) {}
+  bool go_further() const { return ++questions < n; }
+
+  int n;
+  int& questions;
+};
+
+void test_stopped()
+{
+  const Surface_mesh mesh = test::make_mesh<Surface_mesh>(test::torus(20, 16));
+  const Weights<Surface_mesh> weights = make_weights(mesh);
+  for(int n : {1, 2, 20})
+  {
+    for(auto e : edges(mesh))
+      put(weights, e, -1);
+    int questions = 0;
+    const SMC::Status<Surface_mesh> status = SMC::visibility_weights(
+      mesh, weights, 16, 0.5, CGAL::parameters::visitor(Stopping_visitor(n, questions)));
+    assert(status.code == Status_code::STOPPED && questions == n);
+    for(auto e : edges(mesh))
+      assert(get(weights, e) == -1);
+  }
+  int questions = 0;
+  const int many = int(num_edges(mesh));
+  assert(SMC::visibility_weights(mesh, weights, 16, 0.5,
+                                 CGAL::parameters::visitor(Stopping_visitor(many, questions))));
+  assert(questions > many / 100);
+}
+
+// A weight that is infinite only at the internal scale does not forbid the edge: the sum is refused.
+void test_huge_weights()
+{
+  Soup soup = prism(2);
+  for(std::array<double, 3>& p : soup.points)
+    for(double& x : p)
+      x *= 1e-3;
+  const Surface_mesh mesh = test::make_mesh<Surface_mesh>(soup);
+  const Weights<Surface_mesh> weights = make_weights(mesh);
+  for(auto e : edges(mesh))
+    put(weights, e, 1);
+  const auto marks = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+  const std::vector<Surface_mesh::Vertex_index> ends = {Surface_mesh::Vertex_index(0), Surface_mesh::Vertex_index(5)};
+  for(double weight : {1e308, 1e306, -1e308})
+  {
+    put(weights, *edges(mesh).begin(), weight);
+    assert(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)).status.code
+           == Status_code::WRONG_PARAMETER);
+  }
+  put(weights, *edges(mesh).begin(), 1e300);
+  assert(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)).status);
+}
+
 int main()
 {
   test_creases();
@@ -184,5 +239,7 @@ int main()
   test_visibility<Polyhedron>();
   test_torus();
   test_refused();
+  test_stopped();
+  test_huge_weights();
   std::cout << "done\n";
 }

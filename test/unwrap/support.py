@@ -29,6 +29,16 @@ def main():
     unittest.main(verbosity=2)
 
 
+def as_nobody():
+    """Keywords of `subprocess.run` by which root runs a program as a user with no rights."""
+    user = 65534
+    probe = subprocess.run([PROGRAM, "--version"], user=user, group=user, extra_groups=[], capture_output=True,
+                           check=False)
+    if probe.returncode != 0:
+        raise unittest.SkipTest("the program cannot be run by others")
+    return {"user": user, "group": user, "extra_groups": []}
+
+
 class Case(unittest.TestCase):
     """A test in an empty folder of its own."""
 
@@ -45,10 +55,11 @@ class Case(unittest.TestCase):
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())
 
-    def unwrap(self, *arguments):
+    def unwrap(self, *arguments, **keywords):
         """Runs the program and returns what `subprocess.run` does."""
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder,
-                              stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT)
+        keywords = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **keywords}
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, timeout=TIME_LIMIT, check=False,
+                              **keywords)
 
     def report(self, *arguments):
         """Runs the program with a report on its standard output, which is checked."""

@@ -89,6 +89,15 @@ class Constraints(Case):
         never = self.write("never.txt", "".join(f"{a} {b} inf\n" for a, b in map(tuple, cut)))
         self.assertFalse(self.cut("--edge-weights", never)[1] & cut)
 
+    def test_huge_weights(self):
+        """They are refused, and no edge becomes one that is not cut."""
+        self.write("small.off", to_off(([tuple(0.01 * x for x in point) for point in SPHERE[0]], SPHERE[1])))
+        a, b = STAR[0]
+        for name in ("sphere.off", "small.off"):
+            weights = self.write("huge.txt", f"{a} {b} 1e308\n")
+            self.assertIn("sum of the weights is infinite",
+                          self.assert_refused(2, name, "--edge-weights", weights)["message"])
+
     def test_same_for_every_number_of_threads(self):
         loop = self.write("loop.txt", selection(edges=STAR))
         files = []
@@ -121,7 +130,7 @@ class Constraints(Case):
                 with self.subTest(name=name, option=option):
                     report = self.assert_refused(3, "sphere.off", option, name)
                     self.assertIn(name, report["message"])
-        for text in ("1", "1 2", "1 2 x", "1 2 -3", "1 2 nan", "1 2 3 4", "0 642 1", "x", "-1 2 3", "1 2 -inf"):
+        for text in ("1", "1 2", "1 2 x", "1 2 1e309", "1 2 -3", "1 2 nan", "1 2 3 4", "0 642 1", "x", "-1 2 3", "1 2 -inf"):
             with self.subTest(weights=text):
                 self.assert_refused(3, "sphere.off", "--edge-weights", self.write("weights", text + "\n"))
         for option in FILES:

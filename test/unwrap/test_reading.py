@@ -9,6 +9,15 @@ from support import (Case, joined, main, octahedron, ply_header, read_obj, spher
 SPHERE = sphere(1)
 OFF_POINTS = "".join(line + "\n" for line in to_off(SPHERE).splitlines()[2:20])
 
+
+def several_in_a_line(off, number):
+    """The points of an OFF file, so many in a line."""
+    lines = off.splitlines()
+    points, faces = lines[2:2 + len(SPHERE[0])], lines[2 + len(SPHERE[0]):]
+    rows = [" ".join(points[i:i + number]) for i in range(0, len(points), number)]
+    return "\n".join(lines[:2] + rows + faces) + "\n"
+
+
 # OBJ as others write it: everything that is not a point or a face is to be passed over.
 DECORATED_OBJ = "\r\n".join(
     ["# a comment", "mtllib some.mtl", "o object", "", "vt 0 0", "vn 0 0 1", "g group name"]
@@ -26,6 +35,15 @@ READABLE = {
     "text.ply": to_ply(SPHERE, "ascii"),
     "little.ply": to_ply(SPHERE, "binary_little_endian"),
     "big.PLY": to_ply(SPHERE, "binary_big_endian"),
+    "old_faces.obj": to_obj(SPHERE).replace("\nf ", "\nfo "),
+    "mark.off": b"\xef\xbb\xbf" + to_off(SPHERE).encode(),
+    "mark.obj": b"\xef\xbb\xbf" + DECORATED_OBJ.encode(),
+    "mark_inside": b"\xef\xbb\xbf" + to_off(SPHERE).encode(),
+    "returns.off": to_off(SPHERE).replace("\n", " # comment\r"),
+    "returns.obj": DECORATED_OBJ.replace("\r\n", "\r"),
+    "returns.ply": to_ply(SPHERE, "ascii").replace(b"\n", b"\r"),
+    "many_in_a_line.off": several_in_a_line(to_off(SPHERE), 4),
+    "all_in_a_line.off": several_in_a_line(to_off(SPHERE), len(SPHERE[0])),
     "off_inside.mesh": to_off(SPHERE),
     "ply_inside": to_ply(SPHERE, "binary_little_endian"),
 }
@@ -51,6 +69,8 @@ UNREADABLE = {
     "word.obj": to_obj(SPHERE).replace("0.0", "zero", 1),
     "statement.obj": to_obj(SPHERE).replace("v ", "w ", 1),
     "short.off": to_off(SPHERE).replace("\n3 0 ", "\n4 0 ", 1),
+    "short_of_many.off": several_in_a_line(to_off(SPHERE), 4).replace("\n3 0 ", "\n4 0 ", 1),
+    "more_of_many.off": several_in_a_line(to_off(SPHERE), 4) + "1 0\n",
     "negative_size.off": to_off(SPHERE).replace("\n3 0 ", "\n-3 0 ", 1),
     # headers that lie
     "points.off": "OFF\n2000000000 1 0\n0 0 0\n",
@@ -127,8 +147,13 @@ class Reading(Case):
         for face in SPHERE[1]:
             merged += [SPHERE[0][v] for v in face if SPHERE[0][v] not in merged]
         faces = [tuple(merged.index(SPHERE[0][v]) for v in face) for face in SPHERE[1]]
-        for name, content in (("text.stl", to_text_stl(SPHERE)),
-                              ("binary.stl", to_binary_stl(SPHERE))):
+        text, binary = to_text_stl(SPHERE), to_binary_stl(SPHERE)
+        solid = b"solid thing".ljust(80) + binary[80:]
+        for name, content in (("text.stl", text), ("binary.stl", binary), ("upper.stl", text.upper()),
+                              ("mixed.stl", text.title()), ("upper_inside", text.upper()),
+                              ("returns.stl", text.replace("\n", "\r")), ("mark.stl", "\ufeff" + text),
+                              ("solid.stl", solid), ("trailing.stl", solid + b"\0\0"),
+                              ("long_trailing.stl", binary + bytes(1000))):
             with self.subTest(name=name):
                 run = self.unwrap(self.write(name, content), "-o", "out.obj")
                 self.assertEqual(run.returncode, 0, run.stderr)
@@ -154,6 +179,22 @@ class Reading(Case):
         self.assert_refused(3, "missing.off")
         self.assert_refused(3, ".")
         self.assert_refused(3, "/dev/null")
+
+    def test_messages_name_the_line(self):
+        lines = to_off(SPHERE).splitlines()
+        for number, text in ((3, "0 zero 0"), (10, "1 2"), (25, "3 0 1"), (30, "3 0 1 -2"), (2, "18 x")):
+            damaged = lines[:number - 1] + [text] + lines[number:]
+            for end in ("\n", "\r\n", "\r"):
+                with self.subTest(number=number, end=end):
+                    report = self.assert_refused(3, self.write("a.off", end.join(damaged) + end))
+                    self.assertIn(f"line {number}: ", report["message"])
+
+    def test_marks_in_constraints(self):
+        self.write("sphere.off", to_off(SPHERE))
+        for option, text in (("--must-cut", "\n\n0 8\n"), ("--edge-weights", "0 8 3\n")):
+            for content in ("\ufeff" + text, text.replace("\n", "\r")):
+                exit_code, report = self.report("sphere.off", option, self.write("a.txt", content))
+                self.assertIn(exit_code, (0, 4), report["message"])  # it need not be an edge
 
     def test_truncated(self):
         for name in TRUNCATED:

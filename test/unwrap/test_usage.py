@@ -36,11 +36,39 @@ class Usage(Case):
     def test_numbers(self):
         bad = {"--seed": ["-1", "1.5", "4294967296", "1e3", "nan", "", "x", "0x10", "1 "],
                "--threads": ["0", "-2", "1025", "1.5", "99999999999999999999", "nan", "two"],
-               "--time-limit": ["-1", "nan", "inf", "-inf", "1e400", "", "1s"]}
+               "--time-limit": ["-1", "nan", "inf", "-inf", "1e400", "", "1s"],
+               "--max-distortion": ["4", "3.9", "-5", "1e10", "nan", "four"]}
         for option, values in bad.items():
             for value in values:
                 with self.subTest(option=option, value=value):
                     self.assert_usage("sphere.off", f"{option}={value}")
+
+    def test_bound_is_above_the_ideal(self):
+        for value in ("4", "3", "four"):
+            message = self.assert_usage("sphere.off", "--max-distortion", value)["message"]
+            self.assertIn("must be greater than 4 ", message)
+            self.assertIn(f"'{value}'", message)
+
+    def test_empty_values(self):
+        for option in ("-o", "--svg", "--texture", "--obj-cut", "--must-cut", "--never-cut", "--initial-cut",
+                       "--terminals", "--edge-weights"):
+            with self.subTest(option=option):
+                self.assertIn("--output" if option == "-o" else option,
+                              self.assert_usage("sphere.off", option, "")["message"])
+        self.assertIn("INPUT", self.assert_usage("")["message"])
+        self.assertIn(b"--json", self.unwrap("sphere.off", "--json", "").stderr)
+        self.assertEqual(self.files(), ["sphere.off"])
+
+    def test_values_that_look_like_options(self):
+        for arguments in (["--json", "--bogus"], ["--json", "--quiet"], ["-o", "--svg", "a.svg"], ["--svg", "-o"],
+                          ["--must-cut", "--quiet"]):
+            with self.subTest(arguments=arguments):
+                run = self.unwrap("sphere.off", *arguments)
+                self.assertEqual(run.returncode, 2)
+                self.assertIn(arguments[0].encode(), run.stderr)
+                self.assertEqual(self.files(), ["sphere.off"])
+        self.assertEqual(self.unwrap("sphere.off", "-o", "./--a.obj", "--json=--b").returncode, 0)
+        self.assertEqual(self.files(), ["--a.obj", "--b", "sphere.off"])
 
     def test_usage_error_is_reported_in_file(self):
         self.assertEqual(self.unwrap("sphere.off", "--json", "report.json", "--bad").returncode, 2)

@@ -1,7 +1,9 @@
 #include "Constraints.h"
 
+#include "Stop_visitor.h"
 #include "constraint_files.h"
 #include "outcome.h"
+#include "stop_request.h"
 
 #include <CGAL/Surface_mesh_cutting/crease_weights.h>
 #include <CGAL/Surface_mesh_cutting/visibility_weights.h>
@@ -63,6 +65,14 @@ void read_weights(const std::string& path, const Mesh& mesh, Mesh::Property_map<
     weights[find_edge(path, given.edge, mesh)] = given.weight;
 }
 
+void weigh_by_visibility(const Mesh& mesh, Mesh::Property_map<Edge, double> weights)
+{
+  constexpr int number_of_rays = 64;
+  constexpr double smallest_factor = 0.2;
+  SMC::visibility_weights<CGAL::Parallel_if_available_tag>(mesh, weights, number_of_rays, smallest_factor,
+                                                           CGAL::parameters::visitor(Stop_visitor()));
+}
+
 } // namespace
 
 Constraints read_constraints(const Options& options, Mesh& mesh)
@@ -76,6 +86,7 @@ Constraints read_constraints(const Options& options, Mesh& mesh)
   mark_edges("--never-cut", options.never_cut, mesh, constraints.must_not_be_cut, constraints.warnings);
   mark_edges("--initial-cut", options.initial_cut, mesh, constraints.is_initially_cut, constraints.warnings);
   mark_vertices("--terminals", options.terminals, mesh, constraints.is_terminal, constraints.warnings);
+  end_if_stop_is_requested();
   if(options.edge_weights.empty())
     return constraints;
 
@@ -83,8 +94,9 @@ Constraints read_constraints(const Options& options, Mesh& mesh)
   if(options.edge_weights == "crease")
     SMC::crease_weights(mesh, *constraints.weights);
   else if(options.edge_weights == "visibility")
-    SMC::visibility_weights<CGAL::Parallel_if_available_tag>(mesh, *constraints.weights);
+    weigh_by_visibility(mesh, *constraints.weights);
   else
     read_weights(options.edge_weights, mesh, *constraints.weights);
+  end_if_stop_is_requested();
   return constraints;
 }

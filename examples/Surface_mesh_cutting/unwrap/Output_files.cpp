@@ -1,102 +1,163 @@
 #include "Output_files.h"
 
-#include "outcome.h"
+#include "stop_request.h"
+#include "temporary_files.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <string_view>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason)
+constexpr int patience = 300; // milliseconds for which a stopped run waits for a reader
+
+class Descriptor
 {
-  throw Failure(Exit_code::USAGE, "cannot write " + path.string() + ": " + reason);
+public:
+  explicit Descriptor(int number) : m_number(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+
+  int number() const { return m_number; }
+  // False, with `errno`, if what was written is lost.
+  bool close() { return m_number < 0 || ::close(std::exchange(m_number, -1)) == 0; }
+
+private:
+  int m_number;
+};
+
+// For the user, it is about `place`.
+void write_to(int descriptor, std::string_view content, const fs::path& place)
+{
+  while(!content.empty())
+  {
+    // A pipe that is ready takes that much without waiting for its reader.
+    pollfd request = {descriptor, POLLOUT, 0};
+    const int number_ready = poll(&request, 1, patience);
+    if(number_ready == 0)
+      end_if_stop_is_requested();
+    if(number_ready <= 0)
+      continue;
+    const ssize_t written = write(descriptor, content.data(), (std::min)(content.size(), std::size_t(PIPE_BUF)));
+    if(written >= 0)
+      content.remove_prefix(std::size_t(written));
+    else if(errno != EINTR && errno != EAGAIN)
+      fail_to_write(place, std::strerror(errno));
+  }
 }
 
-fs::path temporary_beside(const fs::path& place, std::size_t number = 0)
+// Waits for a reader, if it is a pipe that has a name.
+int open_stream(const fs::path& path)
 {
-  return place.parent_path()
-         / (".unwrap_" + std::to_string(getpid()) + "_" + std::to_string(number) + ".tmp");
+  std::error_code error;
+  for(;;)
+  {
+    const int descriptor = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if(descriptor >= 0)
+      return descriptor;
+    if(errno != EINTR && !(errno == ENXIO && fs::is_fifo(path, error)))
+      fail_to_write(path, std::strerror(errno));
+    end_if_stop_is_requested();
+    poll(nullptr, 0, patience / 10);
+  }
 }
 
-// Writes to `file`; for the user, it is about `place`.
-void write_file(const fs::path& file, const char* mode, const std::string& content,
-                const fs::path& place)
+void write_stream(const Output_place& place, const std::string& content)
 {
-  errno = 0;
-  std::FILE* const stream = std::fopen(file.c_str(), mode);
-  if(stream == nullptr)
-    fail(place, std::strerror(errno));
-  const bool is_written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
-  if(std::fclose(stream) != 0 || !is_written)
-    fail(place, std::strerror(errno));
+  if(place.kind == Output_place::Kind::OPEN_DESCRIPTOR)
+    return write_to(place.descriptor, content, place.path);
+  Descriptor stream(open_stream(place.path));
+  write_to(stream.number(), content, place.path);
+  if(!stream.close())
+    fail_to_write(place.path, std::strerror(errno));
+}
+
+// With the permissions of the file that it will replace.
+void write_file(Descriptor& file, const std::string& content, const fs::path& place)
+{
+  struct stat former = {};
+  if(stat(place.c_str(), &former) == 0 && fchmod(file.number(), former.st_mode & 0777) != 0)
+    fail_to_write(place, std::strerror(errno));
+  write_to(file.number(), content, place);
+  if(!file.close())
+    fail_to_write(place, std::strerror(errno));
 }
 
 } // namespace
 
 Output_files::~Output_files()
 {
-  std::error_code error;
-  for(const auto& file : m_files)
-    fs::remove(file.first, error);
+  const Undisturbed undisturbed;
+  std::for_each(m_files.rbegin(), m_files.rend(), take_back);
 }
 
-fs::path Output_files::place_of(const std::string& path)
+void Output_files::add(const Output_place& place, std::string content)
 {
-  std::error_code error;
-  fs::path place = fs::absolute(path);
-  for(int links = 0; links < 40 && fs::is_symlink(place, error); ++links)
-    place = place.parent_path() / fs::read_symlink(place, error);
-  const fs::path canonical = fs::weakly_canonical(place, error);
-  return error ? place : canonical;
-}
-
-bool Output_files::is_replaced(const fs::path& place)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status(place, error);
-  return !fs::exists(status) || fs::is_regular_file(status);
-}
-
-void Output_files::check(const std::string& path)
-{
-  const fs::path place = place_of(path);
-  std::error_code error;
-  const fs::file_status status = fs::status(place, error);
-  if(status.type() == fs::file_type::none)
-    fail(place, error.message());
-  if(fs::is_directory(status))
-    fail(place, "it is a folder");
-  if(!is_replaced(place))
-    return;
-  const fs::path temporary = temporary_beside(place);
-  write_file(temporary, "wx", "", place);
-  fs::remove(temporary, error);
-}
-
-void Output_files::write(const std::string& path, const std::string& content)
-{
-  const fs::path place = place_of(path);
-  if(!is_replaced(place))
+  if(place.kind != Output_place::Kind::REGULAR_FILE)
   {
-    write_file(place, "w", content, place);
+    m_streams.emplace_back(place, std::move(content));
     return;
   }
-  m_files.emplace_back(temporary_beside(place, m_files.size()), place);
-  write_file(m_files.back().first, "wx", content, place);
+  int descriptor = -1;
+  const fs::path temporary = make_temporary_file(place.path, [&](const char* name) {
+    descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return descriptor < 0 ? errno : 0;
+  });
+  Descriptor file(descriptor);
+  m_files.push_back({place.path, temporary, {}});
+  write_file(file, content, place.path);
 }
 
 void Output_files::publish()
 {
-  for(const auto& file : m_files)
   {
-    std::error_code error;
-    fs::rename(file.first, file.second, error);
-    if(error)
-      fail(file.second, error.message());
+    const Undisturbed undisturbed;
+    std::for_each(m_files.begin(), m_files.end(), static_cast<void (*)(File&)>(publish));
   }
+  for(const auto& [place, content] : m_streams)
+    write_stream(place, content);
+
+  const Undisturbed undisturbed;
+  for(const File& file : m_files)
+    for(const fs::path& path : {file.temporary, file.former})
+      remove_temporary_file(path);
   m_files.clear();
+}
+
+void Output_files::publish(File& file)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(file.place, error);
+  if(fs::exists(status) && !fs::is_regular_file(status))
+    fail_to_write(file.place, "it is not a file any more");
+  if(fs::exists(status))
+    file.former = make_temporary_file(file.place, [&](const char* name) {
+      // As a second name, so that there is always a file; not every file system has them.
+      if(link(file.place.c_str(), name) == 0)
+        return 0;
+      return errno == EEXIST || rename(file.place.c_str(), name) == 0 ? errno : 0;
+    });
+  if(rename(file.temporary.c_str(), file.place.c_str()) != 0)
+    fail_to_write(file.place, std::strerror(errno));
+  file.is_published = true;
+}
+
+void Output_files::take_back(File& file)
+{
+  if(!file.former.empty())
+    rename(file.former.c_str(), file.place.c_str()); // does nothing to two names of one file
+  else if(file.is_published)
+    unlink(file.place.c_str());
+  remove_temporary_file(file.former);
+  remove_temporary_file(file.temporary);
 }

@@ -1,6 +1,7 @@
 #include "Text_scanner.h"
 
 #include "outcome.h"
+#include "stop_request.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,15 +10,10 @@
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-bool is_word(char c) { return !is_blank(c) && c != '\n' && c != '#'; }
-
-// A backslash at the end of a line joins it to the next one.
-std::size_t length_of_continuation(std::string_view text)
+// Carriage returns alone end the lines of old files.
+char line_end_of(std::string_view text)
 {
-  if(text.substr(0, 2) == "\\\n")
-    return 2;
-  return text.substr(0, 3) == "\\\r\n" ? 3 : 0;
+  return text.find('\n') == std::string_view::npos ? '\r' : '\n';
 }
 
 std::string printable(std::string_view word)
@@ -35,11 +31,35 @@ std::string_view without_plus(std::string_view word)
 
 } // namespace
 
+std::string_view without_byte_order_mark(std::string_view text)
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
+}
+
+Text_scanner::Text_scanner(std::string_view text) : m_text(text), m_line_end(line_end_of(text)) {}
+
+bool Text_scanner::is_blank(char c) const
+{
+  return c != m_line_end && (c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f');
+}
+
+bool Text_scanner::is_word(char c) const { return !is_blank(c) && c != m_line_end && c != '#'; }
+
+// A backslash at the end of a line joins it to the next one.
+std::size_t Text_scanner::length_of_continuation(std::size_t position) const
+{
+  const std::string_view text = m_text.substr(position, 3);
+  if(text.size() > 1 && text[0] == '\\' && text[1] == m_line_end)
+    return 2;
+  return text == "\\\r\n" ? 3 : 0;
+}
+
 std::string_view Text_scanner::word_in_line()
 {
   while(!m_text.empty())
   {
-    if(const std::size_t length = length_of_continuation(m_text))
+    if(const std::size_t length = length_of_continuation(0))
     {
       m_text.remove_prefix(length);
       ++m_line;
@@ -51,7 +71,7 @@ std::string_view Text_scanner::word_in_line()
   }
   std::size_t length = 0;
   while(length < m_text.size() && is_word(m_text[length])
-        && length_of_continuation(m_text.substr(length, 3)) == 0)
+        && length_of_continuation(length) == 0)
     ++length;
   const std::string_view result = m_text.substr(0, length);
   m_text.remove_prefix(length);
@@ -71,7 +91,7 @@ std::string_view Text_scanner::word()
 
 void Text_scanner::skip_line()
 {
-  const std::size_t end = m_text.find('\n');
+  const std::size_t end = m_text.find(m_line_end);
   if(end == std::string_view::npos)
   {
     m_text = {};
@@ -79,6 +99,9 @@ void Text_scanner::skip_line()
   }
   m_text.remove_prefix(end + 1);
   ++m_line;
+  constexpr int lines_per_question = 4096;
+  if(m_line % lines_per_question == 0)
+    end_if_stop_is_requested();
 }
 
 double Text_scanner::to_number(std::string_view word) const

@@ -7,12 +7,15 @@
 #include <string>
 #include <string_view>
 
+// What some editors write in front of a text in UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
+
 // A `#` starts a comment, which ends with the line. An unexpected word is a
 // `Failure` with `Exit_code::UNREADABLE` that names the line.
 class Text_scanner
 {
 public:
-  explicit Text_scanner(std::string_view text, int line = 1) : m_text(text), m_line(line) {}
+  explicit Text_scanner(std::string_view text);
 
   // The next word; empty at the end of the text.
   std::string_view word();
@@ -32,15 +35,19 @@ public:
   int to_integer(std::string_view word) const;
   int to_index(std::string_view word) const;
 
-  int line() const { return m_line; }
   std::string_view rest() const { return m_text; }
 
   // Throws the `Failure` that what is expected here is not `word`.
   [[noreturn]] void fail(const std::string& expected, std::string_view word) const;
 
 private:
+  bool is_blank(char c) const;
+  bool is_word(char c) const;
+  std::size_t length_of_continuation(std::size_t position) const;
+
   std::string_view m_text; // what is not read yet
-  int m_line;
+  char m_line_end;
+  int m_line = 1;
 };
 
 #endif // UNWRAP_TEXT_SCANNER_H

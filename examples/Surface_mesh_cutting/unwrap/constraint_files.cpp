@@ -4,6 +4,8 @@
 #include "file_bytes.h"
 #include "outcome.h"
 
+#include <cctype>
+#include <cmath>
 #include <string_view>
 
 namespace {
@@ -15,11 +17,13 @@ auto read_file(const std::string& path, Read read)
   try
   {
     const std::string bytes = read_bytes(path);
-    Text_scanner scanner(bytes);
+    Text_scanner scanner(without_byte_order_mark(bytes));
     return read(scanner);
   }
   catch(const Failure& failure)
   {
+    if(failure.code != Exit_code::UNREADABLE)
+      throw;
     throw Failure(failure.code, path + ": " + failure.what());
   }
 }
@@ -70,6 +74,8 @@ std::vector<Edge_weight> read_edge_weights(const std::string& path)
       const int source = scanner.to_index(word), target = scanner.index_in_line();
       const std::string_view number = scanner.word_in_line();
       const double weight = scanner.to_number(number);
+      if(std::isinf(weight) && std::isdigit(static_cast<unsigned char>(number.back())))
+        scanner.fail("a weight below 1e308", number);
       if(!(weight >= 0))
         scanner.fail("a weight that is not negative", number);
       if(const std::string_view more = scanner.word_in_line(); !more.empty())

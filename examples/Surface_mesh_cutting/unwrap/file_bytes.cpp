@@ -1,27 +1,52 @@
 #include "file_bytes.h"
 
 #include "outcome.h"
+#include "stop_request.h"
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <memory>
+#include <vector>
 
-std::string read_bytes(const std::string& path)
+namespace {
+
+[[noreturn]] void fail(const std::string& reason) { throw Failure(Exit_code::UNREADABLE, reason); }
+
+void check_is_file(const std::string& path)
 {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if(status.type() == std::filesystem::file_type::none)
+    fail("the file cannot be read: " + error.message());
   if(!std::filesystem::exists(status))
-    throw Failure(Exit_code::UNREADABLE, "there is no such file");
+    fail("there is no such file");
   if(!std::filesystem::is_regular_file(status))
-    throw Failure(Exit_code::UNREADABLE, "not a file");
+    fail("not a file");
+}
 
-  std::ifstream file(path, std::ios::binary);
+} // namespace
+
+std::string read_bytes(const std::string& path)
+{
+  check_is_file(path);
+  errno = 0;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if(file == nullptr)
+    fail(std::string("the file cannot be read: ") + std::strerror(errno));
+  std::error_code error;
   std::string bytes;
-  if(file)
+  const auto size = std::filesystem::file_size(path, error);
+  if(!error)
+    bytes.reserve(std::size_t(size));
+  std::vector<char> chunk(1 << 20);
+  while(const std::size_t length = std::fread(chunk.data(), 1, chunk.size(), file.get()))
   {
-    bytes.resize(std::size_t(std::filesystem::file_size(path)));
-    file.read(&bytes[0], std::streamsize(bytes.size()));
+    end_if_stop_is_requested();
+    bytes.append(chunk.data(), length);
   }
-  if(!file)
-    throw Failure(Exit_code::UNREADABLE, "the file cannot be read");
+  if(std::ferror(file.get()) != 0)
+    fail(std::string("the file cannot be read: ") + std::strerror(errno));
   return bytes;
 }

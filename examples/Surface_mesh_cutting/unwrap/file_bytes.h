@@ -5,7 +5,8 @@
 
 #include <string>
 
-// Throws a `Failure` with `Exit_code::UNREADABLE` unless it is a file that can be read.
+// Throws a `Failure` with `Exit_code::UNREADABLE` unless it is a file that can be read, or with
+// `Exit_code::STOPPED`.
 std::string read_bytes(const std::string& path);
 
 #endif // UNWRAP_FILE_BYTES_H

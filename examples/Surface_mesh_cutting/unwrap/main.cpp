@@ -1,8 +1,9 @@
 // unwrap: a mesh file in, the mesh with texture coordinates out.
 
-#include "interruption.h"
+#include "Output_places.h"
 #include "options.h"
 #include "outputs.h"
+#include "stop_request.h"
 #include "unwrap_file.h"
 
 #include <csignal>
@@ -10,16 +11,32 @@
 
 namespace {
 
-void report_failure(const Options& options, Outcome& outcome)
+void report_failure(const Output_places& places, const Outcome& outcome)
 {
   try
   {
-    write_report(options, outcome);
+    write_report(places, outcome);
   }
   catch(const Failure& failure)
   {
-    std::cerr << "unwrap: " << failure.what() << "\n";
+    if(failure.what() != outcome.message) // or else that is told already
+      std::cerr << "unwrap: " << failure.what() << "\n";
   }
+}
+
+Outcome refuse(const Command_line& command_line, Output_places& places)
+{
+  Outcome outcome;
+  outcome.set_failure(Exit_code::USAGE, command_line.message + " (see unwrap --help)");
+  try
+  {
+    decide_place_of_report(command_line.options.json, places);
+  }
+  catch(const Failure&)
+  {
+    // The command line is what to tell about.
+  }
+  return outcome;
 }
 
 void print_messages(const Options& options, const Outcome& outcome)
@@ -43,21 +60,19 @@ void print_messages(const Options& options, const Outcome& outcome)
 
 int main(int argc, char** argv)
 {
-  std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error of writing
-  watch_for_interruption();
+  for(const int signal : {SIGPIPE, SIGXFSZ}) // closed pipes and limits of size are errors of writing
+    std::signal(signal, SIG_IGN);
+  watch_for_signals();
 
   const Command_line command_line = parse_command_line(argc, argv);
   const Options& options = command_line.options;
   if(command_line.is_done && command_line.exit_code == 0)
     return 0;
 
-  Outcome outcome;
-  if(command_line.is_done)
-    outcome.set_failure(Exit_code::USAGE, command_line.message + " (see unwrap --help)");
-  else
-    outcome = unwrap_file(options);
+  Output_places places;
+  const Outcome outcome = command_line.is_done ? refuse(command_line, places) : unwrap_file(options, places);
   if(!outcome.has_result)
-    report_failure(options, outcome);
+    report_failure(places, outcome);
   print_messages(options, outcome);
   return int(outcome.exit_code);
 }

@@ -27,8 +27,8 @@ Reader find_reader_by_extension(const std::string& path)
 
 Reader find_reader_by_content(std::string_view bytes)
 {
-  const std::string_view word = Text_scanner(bytes).word();
-  return word == "OFF" ? read_off : word == "ply" ? read_ply : word == "solid" ? read_stl : nullptr;
+  const std::string_view word = Text_scanner(without_byte_order_mark(bytes)).word();
+  return word == "OFF" ? read_off : word == "ply" ? read_ply : starts_text_stl(bytes) ? read_stl : nullptr;
 }
 
 } // namespace

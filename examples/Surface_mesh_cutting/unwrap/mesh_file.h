@@ -27,4 +27,7 @@ Polygon_soup read_obj(std::string_view text);
 Polygon_soup read_ply(std::string_view bytes);
 Polygon_soup read_stl(std::string_view bytes);
 
+// Whether the first word is the one with which an STL file of text starts.
+bool starts_text_stl(std::string_view bytes);
+
 #endif // UNWRAP_MESH_FILE_H

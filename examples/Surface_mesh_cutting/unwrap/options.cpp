@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -41,10 +41,13 @@ Exit status:
      coordinates that are not finite, no faces; or no cut satisfies the constraints; the
      message says where, counting from 0
   5  no valid result was found
-  6  stopped by the time limit or by Ctrl-C (a second Ctrl-C ends at once); if a valid result
-     was there by then, it is written, and the message says so
+  6  stopped by the time limit, which counts from the start of the program, or by Ctrl-C (a
+     second Ctrl-C ends at once); if a valid result was there by then, it is written, and the
+     message says so
   7  the result is valid, but a requested bound was not reached
-With 2 to 5, nothing but the JSON report is written.
+With 2 to 5, nothing but the JSON report is written. No output replaces an input or another output;
+where --json names such a place, there is no report. If the command line is not understood, a
+report replaces a former report at most.
 
 Examples:
   unwrap cow.off
@@ -65,19 +68,41 @@ Computation:
       at most a minute, then the best result so far
 )";
 
+[[noreturn]] void refuse(const std::string& message)
+{
+  throw CLI::ValidationError(message, CLI::ExitCodes::ValidationError);
+}
+
 // Whole decimal numbers, nothing else: CLI11 would take 010 for eight and NaN for in range.
+template <typename Number>
+bool parse_number(const std::string& word, Number& number)
+{
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result parsed = std::from_chars(word.data(), end, number);
+  return !word.empty() && parsed.ptr == end && parsed.ec == std::errc();
+}
+
 template <typename Number>
 Number parse_number(const std::string& option, const std::string& word, Number low, Number high)
 {
   Number result = 0;
-  const char* const end = word.data() + word.size();
-  const std::from_chars_result parsed = std::from_chars(word.data(), end, result);
-  if(word.empty() || parsed.ptr != end || parsed.ec != std::errc() || !(low <= result)
-     || !(result <= high))
+  if(!parse_number(word, result) || !(low <= result) || !(result <= high))
   {
     std::ostringstream message;
     message << option << ": '" << word << "' is not a number from " << low << " to " << high;
-    throw CLI::ValidationError(message.str(), CLI::ExitCodes::ValidationError);
+    refuse(message.str());
+  }
+  return result;
+}
+
+double parse_bound(const std::string& option, const std::string& word, double ideal, double high)
+{
+  double result = 0;
+  if(!parse_number(word, result) || !(ideal < result) || !(result <= high))
+  {
+    std::ostringstream message;
+    message << option << " must be greater than " << ideal << " and at most " << high << ", not '" << word << "'";
+    refuse(message.str());
   }
   return result;
 }
@@ -126,9 +151,11 @@ void add_method_options(CLI::App& app, Options& options)
     ->default_str("best; greedy if --faithful")->group(group);
   app.add_flag("--bijective", options.is_bijective, "No part of the layout lies on top of another one")
     ->group(group);
-  add_number<double>(app, "--max-distortion", options.maximum_distortion,
-                     "Mean energy to stay below; 4 is no distortion at all,\n4.1 is hardly visible",
-                     std::nextafter(ideal, largest), largest)
+  app.add_option_function<std::string>(
+       "--max-distortion",
+       [&options](const std::string& word)
+       { options.maximum_distortion = parse_bound("--max-distortion", word, ideal, largest); },
+       "Mean energy to stay below; 4 is no distortion at all,\n4.1 is hardly visible")
     ->type_name("B")->default_str("none")->group(group);
   add_number<double>(app, "--eps-iso", options.eps_iso,
                      "Decrease of the mean energy that makes a point worth a cut", 0, largest)
@@ -176,6 +203,37 @@ void add_run_options(CLI::App& app, Options& options)
     ->type_name("S")->default_str("none")->group(group);
 }
 
+// As CLI11 would take the next option for the value of one that has none. A file of such a name can
+// be given as ./--name or --option=--name.
+bool looks_like_option(const std::string& argument)
+{
+  return argument.size() > 1 && argument[0] == '-'
+         && (argument[1] == '-' || std::isalpha(static_cast<unsigned char>(argument[1])));
+}
+
+void check_values(const CLI::App& app, int argc, char** argv)
+{
+  for(int i = 1; i + 1 < argc; ++i)
+  {
+    const std::string name = argv[i], value = argv[i + 1];
+    const CLI::Option* const option = looks_like_option(name) ? app.get_option_no_throw(name) : nullptr;
+    if(option == nullptr || option->get_expected_max() == 0)
+      continue;
+    if(looks_like_option(value))
+      refuse(name + ": a value is missing before " + value);
+    ++i;
+  }
+}
+
+// An empty name of a file is that of an unset variable of a shell, and not no file.
+void check_no_value_is_empty(const CLI::App& app)
+{
+  for(const CLI::Option* const option : app.get_options())
+    for(const std::string& value : option->results())
+      if(value.empty())
+        refuse(option->get_name() + ": the value is empty");
+}
+
 // Where the report goes if the command line cannot be understood as a whole.
 std::string find_json_file(int argc, char** argv)
 {
@@ -183,7 +241,7 @@ std::string find_json_file(int argc, char** argv)
   {
     const std::string argument = argv[i];
     if(argument == "--json" && i + 1 < argc)
-      return argv[i + 1];
+      return looks_like_option(argv[i + 1]) ? "" : argv[i + 1];
     if(argument.compare(0, 7, "--json=") == 0)
       return argument.substr(7);
   }
@@ -198,6 +256,11 @@ void complete(Options& options)
 }
 
 } // namespace
+
+bool has_file_of_weights(const Options& options)
+{
+  return !options.edge_weights.empty() && options.edge_weights != "crease" && options.edge_weights != "visibility";
+}
 
 Command_line parse_command_line(int argc, char** argv)
 {
@@ -216,7 +279,9 @@ Command_line parse_command_line(int argc, char** argv)
   add_run_options(app, options);
   try
   {
+    check_values(app, argc, argv);
     app.parse(argc, argv);
+    check_no_value_is_empty(app);
     complete(options);
   }
   catch(const CLI::Success& success) // help or version

@@ -30,6 +30,9 @@ struct Options
   std::optional<double> time_limit; // in seconds
 };
 
+// Whether `edge_weights` names a file.
+bool has_file_of_weights(const Options& options);
+
 // What the command line asks for.
 struct Command_line
 {

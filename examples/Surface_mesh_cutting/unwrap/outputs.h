@@ -4,18 +4,15 @@
 #define UNWRAP_OUTPUTS_H
 
 #include "Layout.h"
+#include "Output_places.h"
 #include "options.h"
 #include "outcome.h"
 
-// Sees to it that a long run does not end with a file that cannot be written, or over its input.
-// Throws a `Failure` with `Exit_code::USAGE`.
-void check_outputs(const Options& options);
+// Writes all that is asked for. If that fails, throws a `Failure` with `Exit_code::USAGE` or
+// `Exit_code::STOPPED` and leaves no file.
+void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome);
 
-// Writes all that is asked for. If a file cannot be written, throws a `Failure` with
-// `Exit_code::USAGE` and leaves none.
-void write_outputs(const Options& options, const Layout& layout, const Outcome& outcome);
-
-// Writes the report alone.
-void write_report(const Options& options, const Outcome& outcome);
+// Writes the report alone, if it has a place.
+void write_report(const Output_places& places, const Outcome& outcome);
 
 #endif // UNWRAP_OUTPUTS_H

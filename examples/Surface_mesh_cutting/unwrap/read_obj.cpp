@@ -11,11 +11,11 @@ namespace {
 // damaged statement, without which all that follows would shift.
 bool is_skipped(std::string_view keyword)
 {
-  static const std::array<std::string_view, 52> keywords = {{
+  static const std::array<std::string_view, 51> keywords = {{
     "vt", "vn", "vp", "l", "p", "g", "o", "s", "mg", "mtllib", "usemtl", "usemap", "maplib",
     "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech", "call",
     "csh", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
-    "scrv", "sp", "end", "con", "bsp", "bzp", "cdc", "cdp", "res", "fo", "vc", "surf_1", "surf_2",
+    "scrv", "sp", "end", "con", "bsp", "bzp", "cdc", "cdp", "res", "vc", "surf_1", "surf_2",
     "q0_1", "q0_2", "q1_1", "q1_2", "curv2d_1", "curv2d_2"}};
   return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
 }
@@ -37,7 +37,7 @@ void read_polygon(Text_scanner& scanner, Polygon_soup& soup)
 
 Polygon_soup read_obj(std::string_view text)
 {
-  Text_scanner scanner(text);
+  Text_scanner scanner(without_byte_order_mark(text));
   Polygon_soup soup;
   for(std::string_view keyword = scanner.word(); !keyword.empty(); keyword = scanner.word())
   {
@@ -48,7 +48,7 @@ Polygon_soup read_obj(std::string_view text)
       const double z = scanner.number_in_line();
       soup.points.push_back({{x, y, z}});
     }
-    else if(keyword == "f")
+    else if(keyword == "f" || keyword == "fo") // the same in old files
       read_polygon(scanner, soup);
     else if(!is_skipped(keyword))
       scanner.fail("a statement of the OBJ format", keyword);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 namespace {
 
@@ -27,12 +28,24 @@ void read_header(Text_scanner& scanner)
   scanner = behind;
 }
 
-} // namespace
-
-Polygon_soup read_off(std::string_view text)
+void read_points(Text_scanner& scanner, int number, bool has_own_line, Polygon_soup& soup)
 {
-  Text_scanner scanner(text);
-  read_header(scanner);
+  for(int i = 0; i < number; ++i)
+  {
+    const double x = scanner.number();
+    const double y = scanner.number_in_line();
+    const double z = scanner.number_in_line();
+    soup.points.push_back({{x, y, z}});
+    if(has_own_line)
+      scanner.skip_line(); // with what stands behind
+  }
+  if(!has_own_line)
+    if(const std::string_view word = scanner.word_in_line(); !word.empty())
+      scanner.fail("the end of the line", word);
+}
+
+Polygon_soup read_elements(Text_scanner& scanner, bool has_point_own_line)
+{
   const int number_of_points = scanner.index();
   const int number_of_polygons = scanner.index();
   scanner.skip_line(); // the number of edges
@@ -43,14 +56,7 @@ Polygon_soup read_off(std::string_view text)
   soup.points.reserve((std::min)(std::size_t(number_of_points), maximum));
   soup.polygon_ends.reserve((std::min)(std::size_t(number_of_polygons), maximum));
 
-  for(int i = 0; i < number_of_points; ++i)
-  {
-    const double x = scanner.number();
-    const double y = scanner.number_in_line();
-    const double z = scanner.number_in_line();
-    soup.points.push_back({{x, y, z}});
-    scanner.skip_line();
-  }
+  read_points(scanner, number_of_points, has_point_own_line, soup);
   for(int i = 0; i < number_of_polygons; ++i)
   {
     const int size = scanner.index();
@@ -60,4 +66,44 @@ Polygon_soup read_off(std::string_view text)
     scanner.skip_line();
   }
   return soup;
+}
+
+std::optional<Polygon_soup> try_several_points_in_a_line(Text_scanner& scanner)
+{
+  try
+  {
+    const Polygon_soup soup = read_elements(scanner, false);
+    return scanner.word().empty() ? std::make_optional(soup) : std::nullopt;
+  }
+  catch(const Failure& failure)
+  {
+    if(failure.code != Exit_code::UNREADABLE)
+      throw;
+    return {};
+  }
+}
+
+} // namespace
+
+// Usually, each point has a line of its own, and what follows its coordinates is passed over. Some
+// files have several in a line: that is tried where the other reading fails, and must account for all.
+Polygon_soup read_off(std::string_view text)
+{
+  Text_scanner scanner(without_byte_order_mark(text));
+  read_header(scanner);
+  const Text_scanner behind_header = scanner;
+  try
+  {
+    return read_elements(scanner, true);
+  }
+  catch(const Failure& failure)
+  {
+    if(failure.code != Exit_code::UNREADABLE)
+      throw;
+    scanner = behind_header;
+    const std::optional<Polygon_soup> soup = try_several_points_in_a_line(scanner);
+    if(!soup)
+      throw;
+    return *soup;
+  }
 }

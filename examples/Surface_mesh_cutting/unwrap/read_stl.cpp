@@ -5,7 +5,10 @@
 
 #include <boost/functional/hash.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 
 namespace {
@@ -56,14 +59,24 @@ Polygon_soup read_binary(std::string_view bytes)
   return soup;
 }
 
+// Some programs write the words in upper case.
+std::string in_lower_case(std::string_view word)
+{
+  std::string result(word);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return result;
+}
+
 Polygon_soup read_text(std::string_view text)
 {
-  Text_scanner scanner(text);
+  Text_scanner scanner(without_byte_order_mark(text));
   Polygon_soup soup;
   Point_merger merger(soup);
   bool is_in_solid = false;
-  for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
+  for(std::string_view found = scanner.word(); !found.empty(); found = scanner.word())
   {
+    const std::string word = in_lower_case(found);
     if(word == "vertex")
     {
       const double x = scanner.number();
@@ -82,7 +95,7 @@ Polygon_soup read_text(std::string_view text)
       for(int i = 0; i < 4; ++i) // the word "normal" and its coordinates
         scanner.word();
     else if(word != "outer" && word != "loop" && word != "endloop")
-      scanner.fail("a word of the STL format", word);
+      scanner.fail("a word of the STL format", found);
   }
   if(is_in_solid || soup.corners.size() != soup.first_corner(soup.number_of_polygons()))
     scanner.fail("endsolid", {});
@@ -91,10 +104,15 @@ Polygon_soup read_text(std::string_view text)
 
 } // namespace
 
+bool starts_text_stl(std::string_view bytes)
+{
+  return in_lower_case(Text_scanner(without_byte_order_mark(bytes)).word()) == "solid";
+}
+
 Polygon_soup read_stl(std::string_view bytes)
 {
-  // The header of a binary file may start with any word, so its size decides.
-  const bool is_binary = bytes.size() >= header_size && bytes.size() == size_of_binary_file(bytes);
-  const bool is_text = !is_binary && Text_scanner(bytes).word() == "solid";
-  return is_text ? read_text(bytes) : read_binary(bytes);
+  // The header of a binary file may start with any word, and something may follow its facets. Read
+  // as their number, four characters of text would ask for gigabytes.
+  const bool is_binary = bytes.size() >= header_size && bytes.size() >= size_of_binary_file(bytes);
+  return !is_binary && starts_text_stl(bytes) ? read_text(bytes) : read_binary(bytes);
 }

@@ -2,11 +2,11 @@
 
 #include "Constraints.h"
 #include "Progress_bar.h"
-#include "interruption.h"
+#include "Stop_visitor.h"
 #include "make_layout.h"
+#include "stop_request.h"
 
 #include <CGAL/Eigen_solver_traits.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -30,20 +30,10 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 using SMC::Status_code;
 using Result = SMC::Unwrap_result<Mesh>;
 
-// Shows the progress, and stops the run on Ctrl-C and at the time limit.
-class Visitor : public SMC::Default_visitor
+class Visitor : public Stop_visitor
 {
 public:
-  explicit Visitor(const Options& options)
-    : m_bar(!options.is_quiet), m_time_limit(options.time_limit)
-  {
-    m_timer.start();
-  }
-
-  bool go_further() const
-  {
-    return !is_interrupted() && !(m_time_limit && m_timer.time() > *m_time_limit);
-  }
+  explicit Visitor(const Options& options) : m_bar(!options.is_quiet) {}
 
   void progress(SMC::Phase phase, double fraction) { m_bar.show(name_of(phase), fraction); }
 
@@ -62,8 +52,6 @@ private:
   }
 
   Progress_bar m_bar;
-  CGAL::Real_timer m_timer;
-  std::optional<double> m_time_limit;
 };
 
 // Vertex i and face i of the mesh are point i and polygon i of the soup.
@@ -259,6 +247,7 @@ Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& out
                                     std::size_t(options.threads));
 #endif
   Mesh mesh = make_mesh(soup);
+  end_if_stop_is_requested();
   const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
   const UV_map uvs = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   const Constraints constraints = read_constraints(options, mesh);

@@ -4,18 +4,19 @@
 #include "outputs.h"
 #include "run_unwrap.h"
 #include "soup_checks.h"
+#include "stop_request.h"
 
 #include <exception>
 #include <new>
 
 namespace {
 
-void unwrap_file(const Options& options, Outcome& outcome)
+void unwrap_file(const Options& options, Output_places& places, Outcome& outcome)
 {
-  check_outputs(options);
+  decide_places(options, places);
   const Layout layout = unwrap_soup(read_mesh_file(options.input), options, outcome);
   if(outcome.has_result)
-    write_outputs(options, layout, outcome);
+    write_outputs(options, places, layout, outcome);
 }
 
 } // namespace
@@ -25,11 +26,14 @@ Layout unwrap_soup(const Polygon_soup& soup, const Options& options, Outcome& ou
   outcome.vertices = soup.number_of_points();
   outcome.faces = soup.number_of_polygons();
   check_soup(soup);
+  end_if_stop_is_requested();
   return run_unwrap(soup, options, outcome);
 }
 
-Outcome unwrap_file(const Options& options)
+Outcome unwrap_file(const Options& options, Output_places& places)
 {
+  if(options.time_limit)
+    set_time_limit(*options.time_limit);
   Outcome outcome;
   outcome.threads = options.threads;
   outcome.seed = options.seed;
@@ -38,7 +42,7 @@ Outcome unwrap_file(const Options& options)
   outcome.solver = options.solver;
   try
   {
-    unwrap_file(options, outcome);
+    unwrap_file(options, places, outcome);
   }
   catch(const Failure& failure)
   {

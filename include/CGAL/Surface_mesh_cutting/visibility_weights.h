@@ -17,8 +17,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/put_weights.h>
+#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/Visibility.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <CGAL/tags.h>
 
@@ -66,9 +68,17 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{can end the run: it is asked every few milliseconds, but not while the
+///                           search structure is built}
+///     \cgalParamType{a class model of `CuttingVisitor`, of which only `go_further()` is called}
+///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for an unsupported mesh,
+/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; `Status_code::STOPPED`; or, for an unsupported mesh,
 ///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
 ///         or `Status_code::INVALID_POINT`. Writes the weights only with `Status_code::OK`.
 ///
@@ -88,10 +98,16 @@ Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap
   }
   const unsigned int seed = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::random_seed), 0u);
+  Default_visitor default_visitor;
+  // One that is passed by value is copied: `np` hands out a temporary.
+  typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+    visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
+                                           default_visitor);
+  internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});
   return internal::put_weights(
     tmesh, edge_weight_map, smallest_factor, np,
     [&](const internal::Flat_mesh& mesh)
-    { return internal::visibilities<ConcurrencyTag>(mesh, number_of_rays, seed); });
+    { return internal::visibilities<ConcurrencyTag>(mesh, number_of_rays, seed, control); });
 }
 
 } // namespace Surface_mesh_cutting

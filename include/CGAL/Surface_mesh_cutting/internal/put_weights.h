@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +28,7 @@ namespace internal {
 
 // Gives each edge its length times a factor: the smallest one where `property(mesh)` has 0 for the
 // edge, 1 where it has 1, and linear in between.
+// `property(mesh)` is a number for each edge, or nothing if the run was ended.
 template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameters,
           typename Property>
 Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
@@ -46,11 +48,13 @@ Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_w
   if(status)
   {
     const Flat_mesh& mesh = adapter.mesh();
-    const std::vector<double> values = property(mesh);
-    for(int e = 0; e < mesh.number_of_edges(); ++e)
+    const std::optional<std::vector<double> > values = property(mesh);
+    if(!values)
+      status.finding = stopped_status().finding;
+    for(int e = 0; e < mesh.number_of_edges() && values; ++e)
     {
       const double factor
-        = mesh.is_border_edge(e) ? 1 : smallest_factor + (1 - smallest_factor) * values[e];
+        = mesh.is_border_edge(e) ? 1 : smallest_factor + (1 - smallest_factor) * (*values)[e];
       put(edge_weight_map, adapter.to_edge(e), adapter.to_original_scale(mesh.length(e) * factor));
     }
   }

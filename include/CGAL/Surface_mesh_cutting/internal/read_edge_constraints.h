@@ -31,17 +31,22 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The weights given by the named parameter `edge_weight_map`, at the scale of the flat mesh.
+// The weights given by the named parameter `edge_weight_map`, at the scale of the flat mesh. One that is
+// too large for that stays finite: it is to be refused and not to forbid the edge.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeWeightMap>
 std::vector<double> read_weights(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
                                  EdgeWeightMap edge_weight_map)
 {
   const Flat_mesh& mesh = adapter.mesh();
-  const double scale = adapter.to_original_scale(1);
   std::vector<double> weights(mesh.number_of_edges(), 0.);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(!mesh.is_border_edge(e))
-      weights[e] = CGAL::to_double(get(edge_weight_map, adapter.to_edge(e))) / scale;
+    {
+      const double weight = CGAL::to_double(get(edge_weight_map, adapter.to_edge(e)));
+      weights[e] = std::ldexp(weight, -adapter.exponent());
+      if(std::isinf(weights[e]) && std::isfinite(weight))
+        weights[e] = std::copysign((std::numeric_limits<double>::max)(), weight);
+    }
   return weights;
 }
 

@@ -1,0 +1,101 @@
+#include "Output_places.h"
+
+#include "json_report.h"
+#include "outcome.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Named_output
+{
+  std::string name;
+  Output_place place;
+  std::optional<Output_place>* decision; // where the place goes if it is a good one
+};
+
+Output_place find_place_of_report(const std::string& name)
+{
+  return name == "-" ? standard_output_place() : find_output_place(name);
+}
+
+// The report comes first: it tells what is wrong with the others.
+std::vector<Named_output> find_places(const Options& options, Output_places& places)
+{
+  std::vector<Named_output> outputs;
+  const auto add = [&](const std::string& name, std::optional<Output_place>& decision)
+  {
+    if(!name.empty())
+      outputs.push_back({name, find_output_place(name), &decision});
+  };
+  if(!options.json.empty())
+    outputs.push_back({options.json, find_place_of_report(options.json), &places.report});
+  add(options.output, places.mesh);
+  if(!options.texture.empty())
+    add(fs::path(options.output).replace_extension(".mtl").string(), places.material);
+  add(options.texture, places.texture);
+  add(options.svg, places.picture);
+  add(options.obj_cut, places.cut);
+  return outputs;
+}
+
+std::vector<std::string> inputs_of(const Options& options)
+{
+  std::vector<std::string> inputs
+    = {options.input, options.must_cut, options.never_cut, options.initial_cut, options.terminals};
+  if(has_file_of_weights(options))
+    inputs.push_back(options.edge_weights);
+  return inputs;
+}
+
+// Whether nothing is lost if a report takes this place.
+bool is_free_for_report(const fs::path& path)
+{
+  std::error_code error;
+  if(!fs::exists(path, error))
+    return true;
+  const std::string_view start = start_of_report;
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(start.size(), '\0');
+  file.read(&bytes[0], std::streamsize(bytes.size()));
+  return file && bytes == start;
+}
+
+} // namespace
+
+void decide_places(const Options& options, Output_places& places)
+{
+  const std::vector<std::string> inputs = inputs_of(options);
+  const std::vector<Named_output> outputs = find_places(options, places);
+  for(const Named_output& output : outputs)
+  {
+    const auto is_replaced
+      = [&](const std::string& input) { return !input.empty() && is_file(output.place, input); };
+    const auto is_in_the_way
+      = [&](const Named_output& other) { return &other != &output && do_collide(output.place, other.place); };
+    if(std::any_of(inputs.begin(), inputs.end(), is_replaced)
+       || std::any_of(outputs.begin(), outputs.end(), is_in_the_way))
+      throw Failure(Exit_code::USAGE, output.name + " would be written twice or replace an input");
+    check_output_place(output.place);
+    *output.decision = output.place;
+  }
+  if(places.material && places.mesh->kind != Output_place::Kind::REGULAR_FILE)
+    throw Failure(Exit_code::USAGE, options.output + " is not a file, beside which the material of --texture could be");
+}
+
+void decide_place_of_report(const std::string& name, Output_places& places)
+{
+  if(name.empty())
+    return;
+  const Output_place place = find_place_of_report(name);
+  if(place.kind == Output_place::Kind::REGULAR_FILE && !is_free_for_report(place.path))
+    return;
+  check_output_place(place);
+  places.report = place;
+}

@@ -1,0 +1,117 @@
+"""The time limit and signals: the run ends soon wherever it is, and leaves a whole result or nothing."""
+
+import fcntl
+import json
+import os
+import signal
+import subprocess
+import time
+
+from support import Case, PROGRAM, TIME_LIMIT, main, sphere, to_off
+
+# Seconds from the limit or the signal to the end.
+SLACK = float(os.environ.get("UNWRAP_TEST_SLACK", "1"))
+SPHERE = sphere(1)
+LARGE = to_off(sphere(7))  # 131,072 triangles
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+class Stopping(Case):
+    def start(self, *arguments, **keywords):
+        program = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   **{"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, **keywords})
+        self.addCleanup(lambda: (program.kill(), program.communicate()))
+        return program
+
+    def assert_ends(self, program, *codes):
+        start = time.monotonic()
+        _, message = program.communicate(timeout=TIME_LIMIT)
+        self.assertLess(time.monotonic() - start, SLACK)
+        self.assertIn(program.returncode, codes, message)
+
+    def test_while_weighing(self):
+        """Rays to everywhere: the longest computation ahead of the library's run."""
+        self.write("large.off", LARGE)
+        arguments = ["large.off", "--edge-weights", "visibility", "--effort", "fast", "--json", "r.json"]
+        start = time.monotonic()
+        run = self.unwrap(*arguments, "--time-limit", "0.8")
+        self.assertLess(time.monotonic() - start, 0.8 + SLACK)
+        self.assertEqual(run.returncode, 6, run.stderr)
+        self.assertEqual(self.files(), ["large.off", "r.json"])
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["status"], "stopped")
+        for number in SIGNALS:
+            with self.subTest(signal=number):
+                program = self.start(*arguments)
+                time.sleep(0.8)
+                program.send_signal(number)
+                self.assert_ends(program, 6)
+
+    def test_the_clock_starts_with_the_program(self):
+        """What reading takes counts."""
+        self.write("large.off", LARGE)
+        start = time.monotonic()
+        exit_code, report = self.report("large.off", "--time-limit", "0.05")
+        self.assertLess(time.monotonic() - start, 0.05 + SLACK)
+        self.assertEqual((exit_code, report["message"]), (6, "stopped by the time limit"))
+        self.assertIsNone(report["components"])
+
+    def test_while_reading_constraints(self):
+        self.write("small.off", to_off(SPHERE))
+        self.write("weights.txt", "0 8 1\n" * 3000000)
+        exit_code, report = self.report("small.off", "--edge-weights", "weights.txt", "--time-limit", "0.02")
+        self.assertEqual((exit_code, report["message"]), (6, "stopped by the time limit"))
+        self.assertLess(report["peak_memory_mb"], 100)  # it did not read it all
+
+    def test_while_waiting_for_a_reader(self):
+        self.write("small.off", to_off(SPHERE))
+        os.mkfifo(self.folder / "pipe")
+        for arguments in (["-o", "pipe"], ["-o", "pipe", "--svg", "a.svg", "--json", "r.json"]):
+            self.write("a.svg", "former")
+            program = self.start("small.off", *arguments)
+            time.sleep(0.3)
+            self.assertIsNone(program.poll())
+            program.terminate()
+            self.assert_ends(program, 6)
+            self.assertEqual((self.folder / "a.svg").read_text(), "former")
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["status"], "stopped")
+        exit_code, _ = self.report("small.off", "-o", "pipe", "--time-limit", "0.3")
+        self.assertEqual(exit_code, 6)
+
+    def test_while_a_reader_is_busy(self):
+        self.write("small.off", to_off(sphere(5)))
+        read_end, write_end = os.pipe()
+        self.addCleanup(os.close, read_end)
+        fcntl.fcntl(write_end, fcntl.F_SETPIPE_SZ, 4096)
+        program = self.start("small.off", "--effort", "fast", "-o", "/dev/stdout", "--svg", "a.svg", stdout=write_end)
+        os.close(write_end)
+        time.sleep(2)
+        self.assertIsNone(program.poll())
+        program.send_signal(signal.SIGINT)
+        self.assert_ends(program, 6)
+        self.assertEqual(self.files(), ["small.off"])
+
+    def test_second_signal(self):
+        """It ends the program at once, as SIGQUIT does at first, and nothing is left behind."""
+        self.write("small.off", to_off(SPHERE))
+        os.mkfifo(self.folder / "pipe")
+        for number in (*SIGNALS, signal.SIGQUIT):
+            self.write("small.uv.obj", "former")
+            program = self.start("small.off", "-o", "pipe", "--svg", "small.uv.obj")
+            time.sleep(0.2)  # waits for a reader, with a temporary file
+            self.assertEqual(len(self.files()), 4)
+            for _ in range(1 if number == signal.SIGQUIT else 2):
+                program.send_signal(number)
+            self.assert_ends(program, -number, *([] if number == signal.SIGQUIT else [6]))
+            self.assertEqual(self.files(), ["pipe", "small.off", "small.uv.obj"])
+
+    def test_hang_up_may_be_ignored(self):
+        self.write("large.off", to_off(sphere(6)))
+        program = self.start("large.off", "--effort", "fast", "--quiet",
+                             preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        time.sleep(0.2)
+        program.send_signal(signal.SIGHUP)
+        program.communicate(timeout=TIME_LIMIT)
+        self.assertEqual(program.returncode, 0)
+
+
+main()
