@@ -13,6 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Distance_heap.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
@@ -113,9 +114,8 @@ class Pruned_dynamic_programme
   std::vector<int> m_best_tables;
 
   // of the set that is being sent
-  Indexed_heap m_heap;
   std::vector<double> m_lengths, m_completions;
-  std::vector<int> m_origins, m_touched;
+  std::vector<int> m_origins, m_touched, m_positions;
   std::vector<char> m_is_other_terminal;
   Separator m_separator;
 
@@ -130,10 +130,10 @@ public:
     , m_remaining_states(maximum_number_of_states)
     , m_tables_by_size(terminals.size() + 1)
     , m_labels(graph.number_of_vertices())
-    , m_heap(graph.number_of_vertices())
     , m_lengths(graph.number_of_vertices(), infinity())
     , m_completions(graph.number_of_vertices())
     , m_origins(graph.number_of_vertices())
+    , m_positions(graph.number_of_vertices(), -1)
     , m_is_other_terminal(graph.number_of_vertices(), 0)
     , m_separator(graph)
   {}
@@ -203,6 +203,7 @@ private:
         others.push_back(m_terminals[i]);
     for(int t : others)
       m_is_other_terminal[t] = 1;
+    Distance_heap heap(m_lengths, m_positions);
     double limit = infinity(); // rule 3, seen from a single other terminal
     const auto relax = [&](int v, double length, int origin) {
       if(!(length < m_lengths[v]))
@@ -216,22 +217,21 @@ private:
       if(m_is_other_terminal[v])
         limit = (std::min)(limit, length);
       if(length + m_completions[v] <= m_cut)
-        m_heap.push_or_decrease(v, length);
+        heap.push_or_update(v);
     };
     for(const State& s : table.initial)
       relax(s.vertex, s.length, s.origin);
-    while(!m_heap.empty()) {
-      const double length = m_heap.top_key();
+    while(!heap.empty()) {
+      const double length = m_lengths[heap.top()];
       if(length > limit)
         break;
-      const int v = m_heap.pop();
+      const int v = heap.extract_top();
       table.states.push_back(State{v, m_origins[v], length});
       if(m_is_other_terminal[v])
         continue;
       for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i)
         relax(m_graph.arcs[i].target, length + m_graph.arcs[i].weight, m_graph.arcs[i].edge);
     }
-    m_heap.clear();
     std::vector<State>().swap(table.initial);
 
     if(!table.states.empty()) {
@@ -239,8 +239,10 @@ private:
       while(!table.states.empty() && table.states.back().length > limit)
         table.states.pop_back();
     }
-    for(int v : m_touched)
+    for(int v : m_touched) {
       m_lengths[v] = infinity();
+      m_positions[v] = -1;
+    }
     m_touched.clear();
     for(int t : others)
       m_is_other_terminal[t] = 0;

@@ -32,6 +32,7 @@ struct Csr_edge_descriptor
   int source = -1;
   int target = -1;
   int edge = -1;
+  double weight = 0.;
 
   friend bool operator==(const Csr_edge_descriptor& a, const Csr_edge_descriptor& b) { return a.edge == b.edge; }
   friend bool operator!=(const Csr_edge_descriptor& a, const Csr_edge_descriptor& b) { return a.edge != b.edge; }
@@ -43,14 +44,14 @@ struct Csr_arc_to_edge
   const Csr_graph* graph = nullptr;
   int source = -1;
 
-  Csr_edge_descriptor operator()(int i) const { return {source, graph->arcs[i].target, graph->arcs[i].edge}; }
+  Csr_edge_descriptor operator()(int i) const { const Csr_graph::Arc& arc = graph->arcs[i]; return {source, arc.target, arc.edge, arc.weight}; }
 };
 
 struct Csr_index_to_edge
 {
   const Csr_graph* graph = nullptr;
 
-  Csr_edge_descriptor operator()(int e) const { return {graph->edges[e].source, graph->edges[e].target, e}; }
+  Csr_edge_descriptor operator()(int e) const { return {graph->edges[e].source, graph->edges[e].target, e, graph->edges[e].weight}; }
 };
 
 struct Csr_traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag, boost::edge_list_graph_tag
@@ -65,7 +66,7 @@ struct Csr_weight_map
 
   const Csr_graph* graph;
 
-  friend double get(const Csr_weight_map& map, const Csr_edge_descriptor& e) { return map.graph->edges[e.edge].weight; }
+  friend double get(const Csr_weight_map&, const Csr_edge_descriptor& e) { return e.weight; }
 };
 
 } // namespace Steiner_tree

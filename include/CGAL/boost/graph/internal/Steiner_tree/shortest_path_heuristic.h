@@ -15,6 +15,9 @@
 #include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Voronoi_regions.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/graph_traits_Csr_graph.h>
+
+#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -60,13 +63,14 @@ inline Tree shortest_path_heuristic(const Csr_graph& graph, const std::vector<in
 // which begins with the nearest pair
 inline int terminal_of_nearest_pair(const Csr_graph& graph, const std::vector<int>& terminals)
 {
-  const Voronoi_regions regions(graph, terminals);
+  const auto regions =
+    voronoi_regions(graph, terminals, get(boost::edge_weight, graph), get(boost::vertex_index, graph));
   int result = terminals.front();
   double shortest = Shortest_paths::infinity();
-  for(const Edge& edge : graph.edges)
-    if(regions.is_bridge(edge) && regions.bridge_length(edge) < shortest) {
-      shortest = regions.bridge_length(edge);
-      result = (std::min)(regions.center(edge.source), regions.center(edge.target));
+  for(const Csr_edge_descriptor& e : boost::make_iterator_range(edges(graph)))
+    if(regions.is_bridge(e) && regions.bridge_length(e) < shortest) {
+      shortest = regions.bridge_length(e);
+      result = (std::min)(terminals[regions.center(e.source)], terminals[regions.center(e.target)]);
     }
   return result;
 }
