@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -28,7 +29,9 @@ namespace internal {
 namespace Steiner_tree {
 
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, which can grow and shrink
-// by a point. Keeps one search per point: O(k n) memory.
+// by a point. Keeps one search per point: O(k n) memory. Boost's spanning trees of a metric closure, which is a complete
+// graph, would need its edges; Prim's algorithm on the searches needs none, and its order of the links serves
+// to update the tree.
 class Key_points
 {
 public:
@@ -57,6 +60,7 @@ public:
 
 private:
   static constexpr int block_size = 64;
+  static constexpr int number_of_searches_at_once = 16;
 
   const Csr_graph* m_graph;
   std::vector<int> m_terminals;
@@ -73,14 +77,23 @@ private:
 
 public:
   template <typename ConcurrencyTag>
-  Key_points(const Csr_graph& graph, const std::vector<int>& terminals, ConcurrencyTag)
-    : m_graph(&graph), m_terminals(terminals), m_searches(terminals.size())
+  Key_points(const Csr_graph& graph, const std::vector<int>& terminals, ConcurrencyTag,
+             const std::function<bool()>& go_further)
+    : m_graph(&graph), m_terminals(terminals)
   {
-    for_each_index<ConcurrencyTag>(int(terminals.size()), [&](int i) {
-      m_searches[i] = std::make_shared<const Search>(graph, terminals[i]);
-    });
-    span();
+    const int k = int(terminals.size());
+    for(int first = 0; first < k && go_further(); first = int(m_searches.size())) {
+      m_searches.resize((std::min)(k, first + number_of_searches_at_once));
+      for_each_index<ConcurrencyTag>(int(m_searches.size()) - first, [&](int i) {
+        m_searches[first + i] = std::make_shared<const Search>(graph, terminals[first + i]);
+      });
+    }
+    if(is_complete())
+      span();
   }
+
+  // false if the searches were stopped: of no use then
+  bool is_complete() const { return m_searches.size() >= m_terminals.size(); }
 
   // the paper's L: the weight of the spanning tree of the metric closure
   double length() const { return m_length; }

@@ -14,11 +14,13 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -139,8 +141,7 @@ public:
   {}
 
   // false if it was stopped by the budget or by `go_further`
-  template <typename GoFurther>
-  bool run(GoFurther go_further)
+  bool run(const std::function<bool()>& go_further)
   {
     for(int i = 0; i < int(m_terminals.size()); ++i) {
       Set single;
@@ -153,7 +154,7 @@ public:
           return false;
         const int table = m_tables_by_size[size][i];
         send(table);
-        merge(table);
+        merge(table, go_further);
         complete(table);
       }
     return m_is_complete;
@@ -168,8 +169,6 @@ public:
       trace(table, m_best_vertex, edges);
     return make_tree(m_graph, m_terminals, edges);
   }
-
-  std::size_t number_of_tables() const { return m_tables.size(); }
 
 private:
   static double infinity() { return (std::numeric_limits<double>::infinity)(); }
@@ -254,12 +253,14 @@ private:
   // merges the states of a table with those of the earlier tables at the same vertices. The larger part of rule 1
   // may come last, so a union of more than k/2 terminals, which is only completed, must leave a part of at least the
   // size of the present one. Labels are in the order of their sizes.
-  void merge(int index)
+  void merge(int index, const std::function<bool()>& go_further)
   {
     const Set set = m_tables[index].set;
     const int maximum_size = int(m_terminals.size()) - 2 * set.size();
     m_targets.resize(m_tables.size());
+    Patience patience(go_further);
     for(std::size_t s = 0; m_is_complete && s < m_tables[index].states.size(); ++s) {
+      m_is_complete = patience.lasts();
       const State state = m_tables[index].states[s];
       for(const Label& label : m_labels[state.vertex]) {
         if(label.size > maximum_size)

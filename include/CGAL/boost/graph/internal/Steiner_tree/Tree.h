@@ -18,7 +18,6 @@
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -112,16 +111,29 @@ public:
   }
 };
 
-// Boost's minimum spanning forest. `weight_and_index` maps edges to pairs of these, so that ties go by index.
+// the weights of edges with the edges' indices, which decide ties
+template <typename EdgeDescriptor, typename Function>
+struct Indexed_weight_map
+{
+  typedef EdgeDescriptor key_type;
+  typedef std::pair<double, int> value_type;
+  typedef value_type reference;
+  typedef boost::readable_property_map_tag category;
+
+  Function weight_and_index;
+
+  friend value_type get(const Indexed_weight_map& map, const key_type& e) { return map.weight_and_index(e); }
+};
+
+// Boost's minimum spanning forest; `weight_and_index` maps an edge to the pair of these
 template <typename Graph, typename Function>
 auto kruskal_forest(const Graph& graph, Function weight_and_index)
 {
   typedef typename boost::graph_traits<Graph>::edge_descriptor edge_descriptor;
   std::vector<edge_descriptor> forest;
-  boost::kruskal_minimum_spanning_tree(
-    graph, std::back_inserter(forest),
-    boost::weight_map(boost::make_function_property_map<edge_descriptor, std::pair<double, int>>(weight_and_index))
-      .vertex_index_map(boost::typed_identity_property_map<int>()));
+  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(forest),
+                                       boost::weight_map(Indexed_weight_map<edge_descriptor, Function>{weight_and_index})
+                                         .vertex_index_map(boost::typed_identity_property_map<int>()));
   return forest;
 }
 

@@ -12,13 +12,13 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_METRIC_CLOSURE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_METRIC_CLOSURE_H
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Voronoi_regions.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/graph_traits_Csr_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -45,7 +45,7 @@ OutputIterator metric_closure_tree(const Graph& graph,
   const Voronoi_regions<Graph, WeightMap, VertexIndexMap> regions(graph, terminals, weight, index);
   std::vector<Edge> connections;
   std::vector<edge_descriptor> bridges;
-  for(const edge_descriptor& e : boost::make_iterator_range(edges(graph)))
+  for(const edge_descriptor& e : CGAL::make_range(edges(graph)))
     if(regions.is_bridge(e)) {
       connections.push_back(Edge{regions.center(source(e, graph)), regions.center(target(e, graph)),
                                  regions.bridge_length(e)});
