@@ -7,7 +7,7 @@
 #include "edge_graph.h"
 #include "plain_metric_closure.h"
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
 #include <cstdlib>
@@ -69,7 +69,7 @@ int main(int argc, char** argv)
         return last_edges;
       }));
       compare(for_each_set(plain_search), for_each_set([&](const std::vector<int>& t) {
-        Core::Shortest_paths paths(mesh.graph);
+        CGAL::internal::Graph_kernel::Shortest_paths paths(mesh.graph);
         for(int v : t)
           paths.add_source(v);
         paths.run();

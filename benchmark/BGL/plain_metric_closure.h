@@ -1,7 +1,7 @@
 #ifndef PLAIN_METRIC_CLOSURE_H
 #define PLAIN_METRIC_CLOSURE_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,8 +14,8 @@
 // same way, so that the results have to be the same, too.
 namespace plain {
 
-using CGAL::internal::Steiner_tree::Csr_graph;
-using CGAL::internal::Steiner_tree::Edge;
+using CGAL::internal::Graph_kernel::Csr_graph;
+using CGAL::internal::Graph_kernel::Edge;
 
 // a 4-ary heap of items 0..n-1 that holds the keys, too
 class Heap

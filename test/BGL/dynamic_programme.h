@@ -1,7 +1,7 @@
 #ifndef DYNAMIC_PROGRAMME_H
 #define DYNAMIC_PROGRAMME_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -11,7 +11,7 @@
 // The length of a shortest tree by the programme of Dreyfus and Wagner (1971) in the form of Erickson, Monma and Veinott
 // (1987): for all sets of terminals but the last, in an order in which subsets come first, and all vertices v, the
 // shortest tree that connects v and the set is one of two trees merged at v or ends with an edge to v.
-inline double shortest_tree_length(const CGAL::internal::Steiner_tree::Csr_graph& graph,
+inline double shortest_tree_length(const CGAL::internal::Graph_kernel::Csr_graph& graph,
                                    const std::vector<int>& terminals)
 {
   const std::size_t number_of_sets = std::size_t(1) << (terminals.size() - 1);

@@ -12,6 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Instance.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_programme.h>
@@ -26,6 +27,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Disjoint_sets;
 
 // A Steiner tree problem, the best tree known, a lower bound, and an instance in which all shorter trees are left.
 // All terminals must be in one component.

@@ -12,9 +12,9 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_KEY_POINTS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_KEY_POINTS_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +27,9 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Shortest_paths;
+using Graph_kernel::for_each_index;
 
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, which can grow and shrink
 // by a point. Keeps one search per point: O(k n) memory. Boost's spanning trees of a metric closure, which is a complete

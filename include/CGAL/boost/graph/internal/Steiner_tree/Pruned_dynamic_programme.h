@@ -12,8 +12,8 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Distance_heap.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
@@ -29,6 +29,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Distance_heap;
 
 // The programme of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
 // d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging

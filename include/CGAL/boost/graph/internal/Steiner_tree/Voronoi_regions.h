@@ -12,7 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_VORONOI_REGIONS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_VORONOI_REGIONS_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/search_from_sources.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/search_from_sources.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -23,6 +23,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::search_from_sources;
 
 // For each vertex its nearest center, by one search from all centers. For any undirected model of Boost's concepts
 // `VertexListGraph` and `IncidenceGraph` (or a directed one with each edge in both directions).

@@ -13,9 +13,9 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_METRIC_CLOSURE_H
 
 #include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Voronoi_regions.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/graph_traits_Csr_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -27,6 +27,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Csr_edge_descriptor;
 
 // Writes the edges of the tree of Kou, Markowsky and Berman (1981; paper, Section 3.2): a minimum spanning tree of the
 // metric closure of the terminals, as the union of its shortest paths. Mehlhorn (1988) reads one such tree off a single

@@ -13,11 +13,11 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATH_HEURISTIC_H
 
 #include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Voronoi_regions.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
 #include <algorithm>
@@ -28,6 +28,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Shortest_paths;
 
 // The shortest path heuristic of Takahashi and Matsuyama (1980): grows a tree from `start`, always by a shortest
 // path to the nearest terminal outside. One search serves all steps: the vertices of a new path become sources

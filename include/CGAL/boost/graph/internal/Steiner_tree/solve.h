@@ -12,6 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
@@ -26,6 +27,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Disjoint_sets;
 
 enum class Method
 {

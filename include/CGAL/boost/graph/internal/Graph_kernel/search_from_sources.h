@@ -9,10 +9,10 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEARCH_FROM_SOURCES_H
-#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEARCH_FROM_SOURCES_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SEARCH_FROM_SOURCES_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SEARCH_FROM_SOURCES_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/properties.hpp>
@@ -24,7 +24,7 @@
 
 namespace CGAL {
 namespace internal {
-namespace Steiner_tree {
+namespace Graph_kernel {
 
 // the distance at the end of an edge. Its index is larger than any, so that only a shorter path replaces another one.
 struct Distance_along_edge
@@ -62,8 +62,8 @@ void search_from_sources(const Graph& graph, const SourceRange& sources, WeightM
                                  boost::make_iterator_property_map(colors.begin(), index));
 }
 
-} // namespace Steiner_tree
+} // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEARCH_FROM_SOURCES_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SEARCH_FROM_SOURCES_H

@@ -9,18 +9,18 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATHS_H
-#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATHS_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SHORTEST_PATHS_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SHORTEST_PATHS_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
 
 #include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
-namespace Steiner_tree {
+namespace Graph_kernel {
 
 // Dijkstra's algorithm where `search_from_sources()`, which is Boost's, does not serve: a search can end early
 // (Boost's only by an exception), arcs may have a weight for each direction, vertices can become sources during a
@@ -139,8 +139,8 @@ private:
   }
 };
 
-} // namespace Steiner_tree
+} // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATHS_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SHORTEST_PATHS_H

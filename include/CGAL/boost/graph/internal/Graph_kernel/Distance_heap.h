@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DISTANCE_HEAP_H
-#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DISTANCE_HEAP_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_DISTANCE_HEAP_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_DISTANCE_HEAP_H
 
 #include <boost/graph/detail/d_ary_heap.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -20,7 +20,7 @@
 
 namespace CGAL {
 namespace internal {
-namespace Steiner_tree {
+namespace Graph_kernel {
 
 // A distance that knows its vertex. Equal ones are in the order of the vertices' indices: a search whose heap
 // compares these settles vertices in an order that depends on the graph alone, whichever way the heap is built.
@@ -86,8 +86,8 @@ public:
   }
 };
 
-} // namespace Steiner_tree
+} // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DISTANCE_HEAP_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_DISTANCE_HEAP_H
