@@ -5,7 +5,7 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@
 
 struct Edge_graph
 {
-  CGAL::internal::Steiner_tree::Csr_graph graph;
+  CGAL::internal::Graph_kernel::Csr_graph graph;
   double diagonal; // of the bounding box
 };
 
@@ -35,18 +35,18 @@ inline Edge_graph read_edge_graph(const std::string& file)
       ends.push_back(std::minmax(int(face[i]), int(face[(i + 1) % face.size()])));
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::vector<CGAL::internal::Steiner_tree::Edge> edges;
+  std::vector<CGAL::internal::Graph_kernel::Edge> edges;
   for(const std::pair<int, int>& e : ends)
     edges.push_back({e.first, e.second, std::sqrt(CGAL::squared_distance(points[e.first], points[e.second]))});
   CGAL::Bbox_3 box;
   for(const Point& p : points)
     box += p.bbox();
-  return Edge_graph{CGAL::internal::Steiner_tree::Csr_graph(int(points.size()), edges),
+  return Edge_graph{CGAL::internal::Graph_kernel::Csr_graph(int(points.size()), edges),
                     std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) + std::pow(box.z_span(), 2))};
 }
 
 // k different vertices that have edges, or all of them if there are not as many
-inline std::vector<int> random_terminals(const CGAL::internal::Steiner_tree::Csr_graph& graph, int k,
+inline std::vector<int> random_terminals(const CGAL::internal::Graph_kernel::Csr_graph& graph, int k,
                                          CGAL::Random& random)
 {
   int number = 0;

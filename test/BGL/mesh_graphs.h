@@ -1,7 +1,7 @@
 #ifndef MESH_GRAPHS_H
 #define MESH_GRAPHS_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <CGAL/Random.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 // the edge graph of a triangulated grid whose points are moved at random by up to `noise` times half the spacing
-inline CGAL::internal::Steiner_tree::Csr_graph grid_graph(int width, int height, double noise, CGAL::Random& random)
+inline CGAL::internal::Graph_kernel::Csr_graph grid_graph(int width, int height, double noise, CGAL::Random& random)
 {
   std::vector<double> x, y;
   for(int j = 0; j < height; ++j)
@@ -17,9 +17,9 @@ inline CGAL::internal::Steiner_tree::Csr_graph grid_graph(int width, int height,
       x.push_back(i + noise * random.get_double(-0.5, 0.5));
       y.push_back(j + noise * random.get_double(-0.5, 0.5));
     }
-  std::vector<CGAL::internal::Steiner_tree::Edge> edges;
+  std::vector<CGAL::internal::Graph_kernel::Edge> edges;
   const auto add = [&](int v, int w) {
-    edges.push_back(CGAL::internal::Steiner_tree::Edge{v, w, std::hypot(x[v] - x[w], y[v] - y[w])});
+    edges.push_back(CGAL::internal::Graph_kernel::Edge{v, w, std::hypot(x[v] - x[w], y[v] - y[w])});
   };
   for(int j = 0; j < height; ++j)
     for(int i = 0; i < width; ++i) {
@@ -31,7 +31,7 @@ inline CGAL::internal::Steiner_tree::Csr_graph grid_graph(int width, int height,
       if(i + 1 < width && j + 1 < height)
         add(v, v + width + 1);
     }
-  return CGAL::internal::Steiner_tree::Csr_graph(width * height, edges);
+  return CGAL::internal::Graph_kernel::Csr_graph(width * height, edges);
 }
 
 inline std::vector<int> random_terminals(int number_of_vertices, int k, CGAL::Random& random)

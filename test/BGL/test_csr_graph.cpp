@@ -4,7 +4,7 @@
 #include "steiner_tree_checks.h"
 
 #include <CGAL/Random.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/graph_traits_Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
 #include <boost/concept/assert.hpp>

@@ -71,7 +71,6 @@ void check_all_calls(const Core::Csr_graph& graph, const std::vector<int>& termi
   check_call<Greedy_auxiliary_points_tag<>>(graph, terminals, optimum, false);
   check_call<Greedy_auxiliary_points_tag<Shortest_path_heuristic_tag>>(graph, terminals, optimum, false);
   check_call<Local_search_tag>(graph, terminals, optimum, false);
-  check_call<Dynamic_programming_tag>(graph, terminals, optimum, true);
   check_call<Exact_tag>(graph, terminals, optimum, true);
   check_call<Best_tag>(graph, terminals, optimum, true);
 }

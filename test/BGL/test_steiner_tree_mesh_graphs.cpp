@@ -1,6 +1,7 @@
-// All methods on graphs like those of triangle meshes, against the textbook programme; then the exact solver with many
+// All methods on graphs like those of triangle meshes, against a dynamic programme; then the exact solver with many
 // terminals, where only its own proof and the bounds can be checked.
 
+#include "dynamic_programme.h"
 #include "mesh_graphs.h"
 #include "steiner_tree_checks.h"
 
@@ -14,7 +15,7 @@ int main()
     const Core::Csr_graph graph = grid_graph(random.get_int(2, 16), random.get_int(2, 16), noise, random);
     const int k = random.get_int(2, (std::min)(graph.number_of_vertices(), 8) + 1);
     const std::vector<int> terminals = random_terminals(graph.number_of_vertices(), k, random);
-    check_all_methods(graph, terminals, Core::textbook_dynamic_programme(graph, terminals).length);
+    check_all_methods(graph, terminals, shortest_tree_length(graph, terminals));
   }
 
   for(int k : {12, 20, 30}) {

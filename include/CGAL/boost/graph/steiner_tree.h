@@ -12,10 +12,9 @@
 #ifndef CGAL_BOOST_GRAPH_STEINER_TREE_H
 #define CGAL_BOOST_GRAPH_STEINER_TREE_H
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
@@ -90,17 +89,6 @@ struct Local_search_tag
 /// \endcond
 };
 
-/// the textbook dynamic program over subsets of the terminals, for reference: exact,
-/// \f$ O(3^k n + 2^k (m + n) \log n) \f$ time and \f$ O(2^k n) \f$ memory. Without a result if
-/// `maximum_number_of_states` is less than \f$ 2^{k-1} n \f$
-struct Dynamic_programming_tag
-{
-/// \cond SKIP_IN_MANUAL
-  static constexpr internal::Steiner_tree::Method method = internal::Steiner_tree::Method::textbook;
-  static constexpr bool needs_proof = true;
-/// \endcond
-};
-
 /// a shortest tree, by a dynamic program that leaves out what lower bounds and separators exclude. Exceeding
 /// `maximum_number_of_states` is an error, but the best tree found is still reported
 struct Exact_tag
@@ -127,7 +115,7 @@ enum class Status
   OK,                      ///< a tree as requested
   TERMINALS_NOT_CONNECTED, ///< terminals lie in several components of the graph: no tree
   INVALID_WEIGHT,          ///< an edge weight is negative, infinite, or not a number: no tree
-  BUDGET_EXCEEDED,         ///< an exact method ran out of states; the tree, if any, is not proven shortest
+  BUDGET_EXCEEDED,         ///< the exact method ran out of states; the tree is not proven shortest
   CANCELLED                ///< the visitor asked to stop; the tree is the best found by then
 };
 

@@ -12,6 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Instance.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_programme.h>
@@ -20,11 +21,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Disjoint_sets;
 
 // A Steiner tree problem, the best tree known, a lower bound, and an instance in which all shorter trees are left.
 // All terminals must be in one component.
@@ -53,11 +57,11 @@ public:
 
   // the part of the graph without the edges removed, which must hold the tree
   Bounded_instance(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<char>& is_removed,
-                   const Tree& tree)
+                   const Tree& tree, const std::function<bool()>& go_further)
     : Bounded_instance(graph, terminals)
   {
     m_best = tree;
-    remove(is_removed);
+    remove(is_removed, go_further);
   }
 
   const Csr_graph& graph() const { return m_instance.graph(); }
@@ -81,12 +85,11 @@ public:
 
   // Removes what no shorter tree can use, by dual ascent with different roots: at least `minimum_number_of_rounds`
   // times and then as long as a round leaves at most `maximum_ratio` of the edges. False if no tree is shorter.
-  template <typename GoFurther>
-  bool reduce(int minimum_number_of_rounds, double maximum_ratio, GoFurther go_further)
+  bool reduce(int minimum_number_of_rounds, double maximum_ratio, const std::function<bool()>& go_further)
   {
     for(int round = 0; !m_is_optimal && go_further(); ++round) {
       const int size = graph().number_of_edges();
-      reduce_from_next_root();
+      reduce_from_next_root(go_further);
       if(round + 1 >= minimum_number_of_rounds && graph().number_of_edges() > maximum_ratio * size)
         break;
     }
@@ -94,12 +97,10 @@ public:
   }
 
   // the pruned dynamic program; false if it was stopped
-  template <typename GoFurther>
-  bool search(std::size_t maximum_number_of_states, GoFurther go_further)
+  bool search(std::size_t maximum_number_of_states, const std::function<bool()>& go_further)
   {
     const std::size_t k = terminals().size();
     return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1>(maximum_number_of_states, go_further)
-           : k <= Terminal_set<2>::capacity ? search_with_sets_of<2>(maximum_number_of_states, go_further)
            : k <= Terminal_set<4>::capacity ? search_with_sets_of<4>(maximum_number_of_states, go_further)
                                             : false;
   }
@@ -114,10 +115,10 @@ private:
   // the length of the shortest tree of the instance is this much less than that of the original problem
   double fixed_length() const { return total_weight(*m_graph, m_instance.original_edges({})); }
 
-  void reduce_from_next_root()
+  void reduce_from_next_root(const std::function<bool()>& go_further)
   {
     const int root = ++m_last_root;
-    const Dual_ascent dual(graph(), terminals(), root % int(terminals().size()));
+    const Dual_ascent dual(graph(), terminals(), root % int(terminals().size()), go_further);
     const double fixed = fixed_length();
     if(fixed + dual.bound() > m_lower_bound) {
       m_lower_bound = fixed + dual.bound();
@@ -125,9 +126,9 @@ private:
     }
 
     // trees along the arcs that the dual solution has used up are often short
-    improve(shortest_path_heuristic(graph(), terminals(), terminals()[dual.root()], [&](int i) {
+    improve(grow_tree(graph(), terminals(), terminals()[dual.root()], [&](int i) {
       return dual.is_saturated(i) ? graph().arcs[i].weight : Shortest_paths::infinity();
-    }));
+    }, go_further));
 
     const std::vector<double> bounds = dual.bounds_with_edge();
     std::vector<char> is_removed(graph().number_of_edges());
@@ -136,12 +137,12 @@ private:
     if(m_lower_bound > cut() || !are_terminals_connected(is_removed))
       m_is_optimal = true;
     else
-      remove(is_removed);
+      remove(is_removed, go_further);
   }
 
-  void remove(const std::vector<char>& is_removed)
+  void remove(const std::vector<char>& is_removed, const std::function<bool()>& go_further)
   {
-    m_instance = Degree_reduction(m_instance, is_removed).instance();
+    m_instance = Degree_reduction(m_instance, is_removed, go_further).instance();
     if(terminals().size() > 1)
       return;
     improve(Tree{{}, 0.});
@@ -159,10 +160,10 @@ private:
     });
   }
 
-  template <int Words, typename GoFurther>
-  bool search_with_sets_of(std::size_t maximum_number_of_states, GoFurther go_further)
+  template <int Words>
+  bool search_with_sets_of(std::size_t maximum_number_of_states, const std::function<bool()>& go_further)
   {
-    const Dual_ascent dual(graph(), terminals(), m_best_root % int(terminals().size()));
+    const Dual_ascent dual(graph(), terminals(), m_best_root % int(terminals().size()), go_further);
     const Completion_bound<Words> bound(dual);
     Pruned_dynamic_programme<Words> programme(graph(), terminals(), bound, cut() - fixed_length(),
                                               maximum_number_of_states);

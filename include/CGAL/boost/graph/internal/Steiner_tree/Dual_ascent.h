@@ -12,10 +12,11 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -24,6 +25,9 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Csr_graph;
+using Graph_kernel::Shortest_paths;
 
 // A feasible dual solution of the directed cut formulation (Wong 1984). Every Steiner tree, directed away from a
 // root terminal, enters each set W of vertices that holds a terminal but not the root. The sets get values y_W >= 0
@@ -58,8 +62,9 @@ private:
 
 public:
   // raises the sets around the terminals, the smallest first, until all are reached from the root along arcs of
-  // reduced weight zero. All terminals must be in one component.
-  Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root)
+  // reduced weight zero. All terminals must be in one component. Stopped earlier, it is a solution, too.
+  Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root,
+              const std::function<bool()>& go_further)
     : m_graph(&graph)
     , m_terminals(terminals)
     , m_root(root)
@@ -69,7 +74,7 @@ public:
     m_entering.reserve(graph.arcs.size());
     for(const Csr_graph::Arc& arc : graph.arcs)
       m_entering.push_back(arc.weight);
-    ascend();
+    ascend(go_further);
   }
 
   int root() const { return m_root; }
@@ -130,7 +135,7 @@ private:
     }
   };
 
-  void ascend()
+  void ascend(const std::function<bool()>& go_further)
   {
     const int k = int(m_terminals.size());
     std::vector<int> position(m_graph->number_of_vertices(), -1);
@@ -145,7 +150,7 @@ private:
     Shortest_paths paths(*m_graph);
     std::map<std::vector<int>, int> group_index;
     std::vector<int> settled, members;
-    while(!active.empty()) {
+    while(!active.empty() && go_further()) {
       const int size = active.begin()->first, grown = active.begin()->second;
       active.erase(active.begin());
       // growing beyond the size of the next set by a factor keeps the total cost in proportion to the final sizes

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -26,20 +27,20 @@ namespace Steiner_tree {
 // Finds a shortest tree: heuristics and dual ascent from both sides, which remove what no shorter tree can use, and
 // the pruned dynamic program on what is left. Without proof after `maximum_number_of_states`, the best tree found.
 // All terminals must be in one component.
-template <typename ConcurrencyTag, typename GoFurther>
+template <typename ConcurrencyTag>
 class Exact_solver
 {
   std::size_t m_maximum_number_of_states;
-  GoFurther m_go_further;
+  const std::function<bool()>& m_go_further;
   Bounded_instance m_instance;
   unsigned int m_seed = 0;
 
 public:
   Exact_solver(const Csr_graph& graph, const std::vector<int>& terminals, std::size_t maximum_number_of_states,
-               GoFurther go_further)
+               const std::function<bool()>& go_further)
     : m_maximum_number_of_states(maximum_number_of_states), m_go_further(go_further), m_instance(graph, terminals)
   {
-    m_instance.improve(shortest_path_heuristic(graph, terminals, terminal_of_nearest_pair(graph, terminals)));
+    m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));
     if(!m_instance.reduce(1, 0., m_go_further) || !m_go_further())
       return;
     search_locally();
@@ -83,8 +84,9 @@ private:
     const double memory = double(graph.number_of_vertices()) * double(m_instance.terminals().size());
     if(memory > double(m_maximum_number_of_states))
       return;
-    Key_points points(graph, m_instance.terminals(), ConcurrencyTag());
-    m_instance.improve(local_search(points, minimum_decrease(), ConcurrencyTag(), m_go_further));
+    const Key_points points(graph, m_instance.terminals(), ConcurrencyTag(), m_go_further);
+    if(points.is_complete())
+      m_instance.improve(local_search(points, minimum_decrease(), ConcurrencyTag(), m_go_further));
   }
 
   // Trees from perturbed weights, and the best tree in the union of some of them and the best so far: a graph so small
@@ -99,7 +101,9 @@ private:
     std::vector<char> is_unused(graph.number_of_edges(), 1);
     for(int i = 0; i < number_of_trials && m_go_further(); ++i) {
       const Csr_graph other = perturbed(graph, m_seed++);
-      const Key_points points(other, terminals, ConcurrencyTag());
+      const Key_points points(other, terminals, ConcurrencyTag(), m_go_further);
+      if(!points.is_complete())
+        break;
       Tree tree = make_tree(graph, terminals,
                             local_search(points, minimum_decrease(), ConcurrencyTag(), m_go_further).edges);
       tree = make_tree_on_same_vertices(graph, terminals, tree);
@@ -108,7 +112,7 @@ private:
       if(tree.length < best.length)
         best = tree;
       if((i + 1) % batch_size == 0 || i + 1 == number_of_trials) {
-        Bounded_instance part(graph, terminals, is_unused, best);
+        Bounded_instance part(graph, terminals, is_unused, best, m_go_further);
         if(part.reduce(2, 0.9, m_go_further))
           part.search(std::size_t(effort / 100.), m_go_further);
         best = part.tree();

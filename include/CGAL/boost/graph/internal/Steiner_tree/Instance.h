@@ -12,10 +12,12 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_INSTANCE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_INSTANCE_H
 
+#include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -78,7 +80,7 @@ public:
 // Removes edges, and then what the degrees decide: vertices that are no terminals and have degree one or two, longer
 // ones of parallel edges, terminals of degree one, and terminals whose shortest edge leads to another terminal
 // (Duin and Volgenant 1989). The optimal trees of the result are optimal in the instance given, provided that the
-// edges removed were not needed.
+// edges removed were not needed. Stopped early, it leaves some of that.
 class Degree_reduction
 {
   struct Working_edge
@@ -97,7 +99,8 @@ class Degree_reduction
   int m_number_of_terminals;
 
 public:
-  Degree_reduction(const Instance& instance, const std::vector<char>& is_removed)
+  Degree_reduction(const Instance& instance, const std::vector<char>& is_removed,
+                   const std::function<bool()>& go_further)
     : m_instance(instance)
     , m_incident(instance.graph().number_of_vertices())
     , m_is_terminal(mark(instance.graph().number_of_vertices(), instance.terminals()))
@@ -110,7 +113,8 @@ public:
         add_edge(graph.edges[e], instance.m_origins[e]);
     for(int v = graph.number_of_vertices() - 1; v >= 0; --v)
       m_queue.push_back(v);
-    while(!m_queue.empty() && m_number_of_terminals > 1) {
+    Patience patience(go_further);
+    while(!m_queue.empty() && m_number_of_terminals > 1 && patience.lasts()) {
       const int v = m_queue.back();
       m_queue.pop_back();
       m_is_queued[v] = 0;

@@ -12,13 +12,14 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_KEY_POINTS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_KEY_POINTS_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -27,8 +28,13 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
+using Graph_kernel::Shortest_paths;
+using Graph_kernel::for_each_index;
+
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, which can grow and shrink
-// by a point. Keeps one search per point: O(k n) memory.
+// by a point. Keeps one search per point: O(k n) memory. Boost's spanning trees of a metric closure, which is a complete
+// graph, would need its edges; Prim's algorithm on the searches needs none, and its order of the links serves
+// to update the tree.
 class Key_points
 {
 public:
@@ -57,6 +63,7 @@ public:
 
 private:
   static constexpr int block_size = 64;
+  static constexpr int number_of_searches_at_once = 16;
 
   const Csr_graph* m_graph;
   std::vector<int> m_terminals;
@@ -73,14 +80,23 @@ private:
 
 public:
   template <typename ConcurrencyTag>
-  Key_points(const Csr_graph& graph, const std::vector<int>& terminals, ConcurrencyTag)
-    : m_graph(&graph), m_terminals(terminals), m_searches(terminals.size())
+  Key_points(const Csr_graph& graph, const std::vector<int>& terminals, ConcurrencyTag,
+             const std::function<bool()>& go_further)
+    : m_graph(&graph), m_terminals(terminals)
   {
-    for_each_index<ConcurrencyTag>(int(terminals.size()), [&](int i) {
-      m_searches[i] = std::make_shared<const Search>(graph, terminals[i]);
-    });
-    span();
+    const int k = int(terminals.size());
+    for(int first = 0; first < k && go_further(); first = int(m_searches.size())) {
+      m_searches.resize((std::min)(k, first + number_of_searches_at_once));
+      for_each_index<ConcurrencyTag>(int(m_searches.size()) - first, [&](int i) {
+        m_searches[first + i] = std::make_shared<const Search>(graph, terminals[first + i]);
+      });
+    }
+    if(is_complete())
+      span();
   }
+
+  // false if the searches were stopped: of no use then
+  bool is_complete() const { return m_searches.size() >= m_terminals.size(); }
 
   // the paper's L: the weight of the spanning tree of the metric closure
   double length() const { return m_length; }

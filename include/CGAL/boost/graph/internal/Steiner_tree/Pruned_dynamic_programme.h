@@ -12,12 +12,15 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -26,6 +29,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Distance_heap;
 
 // The program of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
 // d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging
@@ -113,9 +118,8 @@ class Pruned_dynamic_programme
   std::vector<int> m_best_tables;
 
   // of the set that is being sent
-  Indexed_heap m_heap;
   std::vector<double> m_lengths, m_completions;
-  std::vector<int> m_origins, m_touched;
+  std::vector<int> m_origins, m_touched, m_positions;
   std::vector<char> m_is_other_terminal;
   Separator m_separator;
 
@@ -130,17 +134,16 @@ public:
     , m_remaining_states(maximum_number_of_states)
     , m_tables_by_size(terminals.size() + 1)
     , m_labels(graph.number_of_vertices())
-    , m_heap(graph.number_of_vertices())
     , m_lengths(graph.number_of_vertices(), infinity())
     , m_completions(graph.number_of_vertices())
     , m_origins(graph.number_of_vertices())
+    , m_positions(graph.number_of_vertices(), -1)
     , m_is_other_terminal(graph.number_of_vertices(), 0)
     , m_separator(graph)
   {}
 
   // false if it was stopped by the budget or by `go_further`
-  template <typename GoFurther>
-  bool run(GoFurther go_further)
+  bool run(const std::function<bool()>& go_further)
   {
     for(int i = 0; i < int(m_terminals.size()); ++i) {
       Set single;
@@ -153,7 +156,7 @@ public:
           return false;
         const int table = m_tables_by_size[size][i];
         send(table);
-        merge(table);
+        merge(table, go_further);
         complete(table);
       }
     return m_is_complete;
@@ -168,8 +171,6 @@ public:
       trace(table, m_best_vertex, edges);
     return make_tree(m_graph, m_terminals, edges);
   }
-
-  std::size_t number_of_tables() const { return m_tables.size(); }
 
 private:
   static double infinity() { return (std::numeric_limits<double>::infinity)(); }
@@ -203,6 +204,7 @@ private:
         others.push_back(m_terminals[i]);
     for(int t : others)
       m_is_other_terminal[t] = 1;
+    Distance_heap heap(m_lengths, m_positions);
     double limit = infinity(); // rule 3, seen from a single other terminal
     const auto relax = [&](int v, double length, int origin) {
       if(!(length < m_lengths[v]))
@@ -216,22 +218,21 @@ private:
       if(m_is_other_terminal[v])
         limit = (std::min)(limit, length);
       if(length + m_completions[v] <= m_cut)
-        m_heap.push_or_decrease(v, length);
+        heap.push_or_update(v);
     };
     for(const State& s : table.initial)
       relax(s.vertex, s.length, s.origin);
-    while(!m_heap.empty()) {
-      const double length = m_heap.top_key();
+    while(!heap.empty()) {
+      const double length = m_lengths[heap.top()];
       if(length > limit)
         break;
-      const int v = m_heap.pop();
+      const int v = heap.extract_top();
       table.states.push_back(State{v, m_origins[v], length});
       if(m_is_other_terminal[v])
         continue;
       for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i)
         relax(m_graph.arcs[i].target, length + m_graph.arcs[i].weight, m_graph.arcs[i].edge);
     }
-    m_heap.clear();
     std::vector<State>().swap(table.initial);
 
     if(!table.states.empty()) {
@@ -239,8 +240,10 @@ private:
       while(!table.states.empty() && table.states.back().length > limit)
         table.states.pop_back();
     }
-    for(int v : m_touched)
+    for(int v : m_touched) {
       m_lengths[v] = infinity();
+      m_positions[v] = -1;
+    }
     m_touched.clear();
     for(int t : others)
       m_is_other_terminal[t] = 0;
@@ -252,12 +255,14 @@ private:
   // merges the states of a table with those of the earlier tables at the same vertices. The larger part of rule 1
   // may come last, so a union of more than k/2 terminals, which is only completed, must leave a part of at least the
   // size of the present one. Labels are in the order of their sizes.
-  void merge(int index)
+  void merge(int index, const std::function<bool()>& go_further)
   {
     const Set set = m_tables[index].set;
     const int maximum_size = int(m_terminals.size()) - 2 * set.size();
     m_targets.resize(m_tables.size());
+    Patience patience(go_further);
     for(std::size_t s = 0; m_is_complete && s < m_tables[index].states.size(); ++s) {
+      m_is_complete = patience.lasts();
       const State state = m_tables[index].states[s];
       for(const Label& label : m_labels[state.vertex]) {
         if(label.size > maximum_size)

@@ -12,7 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEPARATOR_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEPARATOR_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,6 +23,8 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Csr_graph;
 
 // Finds the largest number a such that given terminals are connected among the vertices v with length(v) >= a. Few
 // vertices, the touched ones, have a finite length, and time should depend on their number rather than on the

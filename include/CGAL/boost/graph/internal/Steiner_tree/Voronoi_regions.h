@@ -12,49 +12,77 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_VORONOI_REGIONS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_VORONOI_REGIONS_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/search_from_sources.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-// For each vertex its nearest center, by one search from all centers.
+using Graph_kernel::search_from_sources;
+
+// For each vertex its nearest center, by one search from all centers. For any undirected model of Boost's concepts
+// `VertexListGraph` and `IncidenceGraph` (or a directed one with each edge in both directions).
+template <typename Graph, typename WeightMap, typename VertexIndexMap>
 class Voronoi_regions
 {
-  Shortest_paths m_paths;
-  std::vector<int> m_centers; // -1: no center can be reached
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Graph>::edge_descriptor edge_descriptor;
+
+  const Graph& m_graph;
+  WeightMap m_weight;
+  VertexIndexMap m_index;
+  std::vector<double> m_distances;
+  std::vector<int> m_centers; // by their positions; -1: none can be reached
+  std::vector<edge_descriptor> m_last_edges;
 
 public:
-  Voronoi_regions(const Csr_graph& graph, const std::vector<int>& centers)
-    : m_paths(graph), m_centers(graph.number_of_vertices(), -1)
+  Voronoi_regions(const Graph& graph, const std::vector<vertex_descriptor>& centers, WeightMap weight,
+                  VertexIndexMap index)
+    : m_graph(graph)
+    , m_weight(weight)
+    , m_index(index)
+    , m_centers(num_vertices(graph), -1)
+    , m_last_edges(num_vertices(graph))
   {
-    for(int c : centers)
-      m_paths.add_source(c);
-    m_paths.run([this](int v) {
-      m_centers[v] = m_paths.last_edge(v) < 0 ? v : m_centers[m_paths.predecessor(v)];
-      return true;
+    for(std::size_t i = 0; i < centers.size(); ++i)
+      m_centers[get(index, centers[i])] = int(i);
+    search_from_sources(graph, centers, weight, index, m_distances, [this](const edge_descriptor& e) {
+      const std::size_t v = get(m_index, target(e, m_graph));
+      m_centers[v] = center(source(e, m_graph));
+      m_last_edges[v] = e;
     });
   }
 
-  int center(int v) const { return m_centers[v]; }
-  double distance(int v) const { return m_paths.distance(v); }
+  // the position of the nearest center
+  int center(vertex_descriptor v) const { return m_centers[get(m_index, v)]; }
 
   // does the edge join two regions, and then: how long is the connection of the centers through it?
-  bool is_bridge(const Edge& edge) const { return m_centers[edge.source] != m_centers[edge.target]; }
-  double bridge_length(const Edge& edge) const
+  bool is_bridge(const edge_descriptor& e) const { return center(source(e, m_graph)) != center(target(e, m_graph)); }
+  double bridge_length(const edge_descriptor& e) const
   {
-    return distance(edge.source) + edge.weight + distance(edge.target);
+    return distance(source(e, m_graph)) + double(get(m_weight, e)) + distance(target(e, m_graph));
   }
 
-  // appends the edges of the shortest path from the center to `v`
-  template <typename OutputIterator>
-  OutputIterator path(int v, OutputIterator out) const
-  {
-    return m_paths.path(v, out);
-  }
+  // the last edge of the shortest path to `v`, which is not a center
+  const edge_descriptor& last_edge(vertex_descriptor v) const { return m_last_edges[get(m_index, v)]; }
+
+private:
+  double distance(vertex_descriptor v) const { return m_distances[get(m_index, v)]; }
 };
+
+template <typename Graph, typename WeightMap, typename VertexIndexMap>
+Voronoi_regions<Graph, WeightMap, VertexIndexMap>
+voronoi_regions(const Graph& graph, const std::vector<typename boost::graph_traits<Graph>::vertex_descriptor>& centers,
+                WeightMap weight, VertexIndexMap index)
+{
+  return Voronoi_regions<Graph, WeightMap, VertexIndexMap>(graph, centers, weight, index);
+}
 
 } // namespace Steiner_tree
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/boost/graph/internal/Steiner_tree/Key_points.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace CGAL {
 namespace internal {
@@ -23,8 +24,9 @@ namespace Steiner_tree {
 // adds the auxiliary point that shortens the metric closure's spanning tree most as long as that is by more than
 // `minimum_decrease` (paper, Section 3.2). What counts in the end is the union of the paths, which may share
 // edges: the shortest union over all steps is returned.
-template <typename ConcurrencyTag, typename GoFurther>
-Tree insert_auxiliary_points(Key_points& points, double minimum_decrease, ConcurrencyTag tag, GoFurther go_further)
+template <typename ConcurrencyTag>
+Tree insert_auxiliary_points(Key_points& points, double minimum_decrease, ConcurrencyTag tag,
+                             const std::function<bool()>& go_further)
 {
   Tree best = points.tree();
   while(go_further()) {

@@ -14,6 +14,7 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
 
+#include <functional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -25,8 +26,9 @@ namespace Steiner_tree {
 // Local search over the auxiliary points (key vertices) after the greedy insertion: eliminates a point and inserts
 // the best others again (which includes exchanges) as long as the tree, measured by the union of its paths, gets
 // shorter. `minimum_decrease` keeps rounding errors from looking like progress.
-template <typename ConcurrencyTag, typename GoFurther>
-Tree local_search(Key_points points, double minimum_decrease, ConcurrencyTag tag, GoFurther go_further)
+template <typename ConcurrencyTag>
+Tree local_search(Key_points points, double minimum_decrease, ConcurrencyTag tag,
+                  const std::function<bool()>& go_further)
 {
   Tree best = insert_auxiliary_points(points, minimum_decrease, tag, go_further);
   for(int i = 0; i < points.number_of_auxiliary_points() && go_further(); ++i) {

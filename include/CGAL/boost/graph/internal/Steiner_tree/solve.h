@@ -12,21 +12,23 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/textbook_dynamic_programme.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Disjoint_sets;
 
 enum class Method
 {
@@ -35,7 +37,6 @@ enum class Method
   greedy_auxiliary_points,                    // the points connected along the metric closure
   greedy_auxiliary_points_and_shortest_paths, // or by the shortest path heuristic
   local_search,
-  textbook,
   exact
 };
 
@@ -48,14 +49,13 @@ struct Options
 
 enum class Outcome
 {
-  done, // for the exact methods: with proof
+  done, // for the exact method: with proof
   terminals_not_connected,
   budget_exceeded,
   cancelled
 };
 
-// If not all terminals are connected there is no tree; otherwise there is one whatever the outcome, except when the
-// budget is too small for the textbook program.
+// If not all terminals are connected there is no tree; otherwise there is one whatever the outcome.
 struct Solution
 {
   Outcome outcome = Outcome::done;
@@ -93,28 +93,33 @@ inline std::vector<int> branch_vertices(const Csr_graph& graph, const std::vecto
   return result;
 }
 
-template <typename ConcurrencyTag, typename GoFurther>
+template <typename ConcurrencyTag>
 Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-                 GoFurther go_further)
+                 const std::function<bool()>& go_further)
 {
-  Key_points points(graph, terminals, ConcurrencyTag());
+  Key_points points(graph, terminals, ConcurrencyTag(), go_further);
+  if(!points.is_complete())
+    return metric_closure_tree(graph, terminals);
   const Tree tree = insert_auxiliary_points(points, options.minimum_length_decrease, ConcurrencyTag(), go_further);
   if(options.method == Method::greedy_auxiliary_points)
     return tree;
   std::vector<int> keys(terminals);
   for(int i = 0; i < points.number_of_auxiliary_points(); ++i)
     keys.push_back(points.auxiliary_point(i));
-  const Tree grown = shortest_path_heuristic(graph, keys, terminal_of_nearest_pair(graph, keys));
+  const Tree grown = shortest_path_heuristic(graph, keys, go_further);
   return make_tree(graph, terminals, grown.edges);
 }
 
 // local search from two sides: from the terminals, and from the branches that the shortest path heuristic finds
-template <typename ConcurrencyTag, typename GoFurther>
-Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals, GoFurther go_further)
+template <typename ConcurrencyTag>
+Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals,
+                       const std::function<bool()>& go_further)
 {
-  const Tree grown = shortest_path_heuristic(graph, terminals, terminal_of_nearest_pair(graph, terminals));
+  const Tree grown = shortest_path_heuristic(graph, terminals, go_further);
   const double minimum_decrease = 1e-10 * grown.length;
-  Key_points points(graph, terminals, ConcurrencyTag());
+  Key_points points(graph, terminals, ConcurrencyTag(), go_further);
+  if(!points.is_complete())
+    return grown;
   const Tree first = local_search(points, minimum_decrease, ConcurrencyTag(), go_further);
   for(int v : branch_vertices(graph, terminals, grown))
     points.insert(v);
@@ -124,9 +129,9 @@ Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals
 
 // connects the terminals, which must be different vertices. `go_further()` is asked between steps; false cancels.
 // Weights must be finite and not negative.
-template <typename ConcurrencyTag, typename GoFurther>
+template <typename ConcurrencyTag>
 Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-               GoFurther go_further)
+               const std::function<bool()>& go_further)
 {
   Solution solution;
   if(!are_connected(graph, terminals)) {
@@ -143,7 +148,7 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
     solution.tree = metric_closure_tree(graph, terminals);
     break;
   case Method::shortest_path_heuristic:
-    solution.tree = shortest_path_heuristic(graph, terminals, terminal_of_nearest_pair(graph, terminals));
+    solution.tree = shortest_path_heuristic(graph, terminals, go_further);
     break;
   case Method::greedy_auxiliary_points:
   case Method::greedy_auxiliary_points_and_shortest_paths:
@@ -152,18 +157,8 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
   case Method::local_search:
     solution.tree = local_search_tree<ConcurrencyTag>(graph, terminals, go_further);
     break;
-  case Method::textbook:
-    if(std::ldexp(double(graph.number_of_vertices()), int(terminals.size()) - 1) >
-       double(options.maximum_number_of_states)) {
-      solution.outcome = Outcome::budget_exceeded;
-      return solution;
-    }
-    solution.tree = textbook_dynamic_programme(graph, terminals);
-    solution.is_optimal = true;
-    break;
   case Method::exact:
-    const Exact_solver<ConcurrencyTag, GoFurther> solver(graph, terminals, options.maximum_number_of_states,
-                                                         go_further);
+    const Exact_solver<ConcurrencyTag> solver(graph, terminals, options.maximum_number_of_states, go_further);
     solution.tree = solver.tree();
     solution.lower_bound = solver.lower_bound();
     solution.is_optimal = solver.is_optimal();

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_FOR_EACH_INDEX_H
-#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_FOR_EACH_INDEX_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_FOR_EACH_INDEX_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_FOR_EACH_INDEX_H
 
 #include <CGAL/tags.h>
 
@@ -22,7 +22,7 @@
 
 namespace CGAL {
 namespace internal {
-namespace Steiner_tree {
+namespace Graph_kernel {
 
 // calls `f(i)` for i in 0..size-1; each call writes to its own place only
 template <typename ConcurrencyTag, typename Function>
@@ -41,8 +41,8 @@ void for_each_index(int size, const Function& f)
     f(i);
 }
 
-} // namespace Steiner_tree
+} // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_FOR_EACH_INDEX_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_FOR_EACH_INDEX_H

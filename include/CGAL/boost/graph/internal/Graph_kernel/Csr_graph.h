@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_CSR_GRAPH_H
-#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_CSR_GRAPH_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_CSR_GRAPH_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_CSR_GRAPH_H
 
 #include <cstddef>
 #include <utility>
@@ -18,7 +18,7 @@
 
 namespace CGAL {
 namespace internal {
-namespace Steiner_tree {
+namespace Graph_kernel {
 
 struct Edge
 {
@@ -92,8 +92,8 @@ struct Csr_graph
   }
 };
 
-} // namespace Steiner_tree
+} // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_CSR_GRAPH_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_CSR_GRAPH_H

@@ -9,10 +9,10 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_GRAPH_TRAITS_CSR_GRAPH_H
-#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_GRAPH_TRAITS_CSR_GRAPH_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_GRAPH_TRAITS_CSR_GRAPH_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_GRAPH_TRAITS_CSR_GRAPH_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -24,7 +24,7 @@
 
 namespace CGAL {
 namespace internal {
-namespace Steiner_tree {
+namespace Graph_kernel {
 
 // an edge as seen from one of its vertices; the same edge from either side
 struct Csr_edge_descriptor
@@ -32,6 +32,7 @@ struct Csr_edge_descriptor
   int source = -1;
   int target = -1;
   int edge = -1;
+  double weight = 0.;
 
   friend bool operator==(const Csr_edge_descriptor& a, const Csr_edge_descriptor& b) { return a.edge == b.edge; }
   friend bool operator!=(const Csr_edge_descriptor& a, const Csr_edge_descriptor& b) { return a.edge != b.edge; }
@@ -43,14 +44,14 @@ struct Csr_arc_to_edge
   const Csr_graph* graph = nullptr;
   int source = -1;
 
-  Csr_edge_descriptor operator()(int i) const { return {source, graph->arcs[i].target, graph->arcs[i].edge}; }
+  Csr_edge_descriptor operator()(int i) const { const Csr_graph::Arc& arc = graph->arcs[i]; return {source, arc.target, arc.edge, arc.weight}; }
 };
 
 struct Csr_index_to_edge
 {
   const Csr_graph* graph = nullptr;
 
-  Csr_edge_descriptor operator()(int e) const { return {graph->edges[e].source, graph->edges[e].target, e}; }
+  Csr_edge_descriptor operator()(int e) const { return {graph->edges[e].source, graph->edges[e].target, e, graph->edges[e].weight}; }
 };
 
 struct Csr_traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag, boost::edge_list_graph_tag
@@ -65,10 +66,10 @@ struct Csr_weight_map
 
   const Csr_graph* graph;
 
-  friend double get(const Csr_weight_map& map, const Csr_edge_descriptor& e) { return map.graph->edges[e.edge].weight; }
+  friend double get(const Csr_weight_map&, const Csr_edge_descriptor& e) { return e.weight; }
 };
 
-} // namespace Steiner_tree
+} // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
 
@@ -78,32 +79,32 @@ namespace boost {
 // and `vertex_index`: all that Boost's algorithms for shortest paths and spanning trees ask for. A self loop is no
 // out-edge of its vertex.
 template <>
-struct graph_traits<CGAL::internal::Steiner_tree::Csr_graph>
+struct graph_traits<CGAL::internal::Graph_kernel::Csr_graph>
 {
   typedef int vertex_descriptor;
-  typedef CGAL::internal::Steiner_tree::Csr_edge_descriptor edge_descriptor;
+  typedef CGAL::internal::Graph_kernel::Csr_edge_descriptor edge_descriptor;
   typedef undirected_tag directed_category;
   typedef allow_parallel_edge_tag edge_parallel_category;
-  typedef CGAL::internal::Steiner_tree::Csr_traversal_category traversal_category;
+  typedef CGAL::internal::Graph_kernel::Csr_traversal_category traversal_category;
   typedef int vertices_size_type;
   typedef int edges_size_type;
   typedef int degree_size_type;
   typedef counting_iterator<int> vertex_iterator;
-  typedef transform_iterator<CGAL::internal::Steiner_tree::Csr_arc_to_edge, counting_iterator<int>> out_edge_iterator;
-  typedef transform_iterator<CGAL::internal::Steiner_tree::Csr_index_to_edge, counting_iterator<int>> edge_iterator;
+  typedef transform_iterator<CGAL::internal::Graph_kernel::Csr_arc_to_edge, counting_iterator<int>> out_edge_iterator;
+  typedef transform_iterator<CGAL::internal::Graph_kernel::Csr_index_to_edge, counting_iterator<int>> edge_iterator;
 
   static vertex_descriptor null_vertex() { return -1; }
 };
 
 template <>
-struct property_map<CGAL::internal::Steiner_tree::Csr_graph, edge_weight_t>
+struct property_map<CGAL::internal::Graph_kernel::Csr_graph, edge_weight_t>
 {
-  typedef CGAL::internal::Steiner_tree::Csr_weight_map type;
+  typedef CGAL::internal::Graph_kernel::Csr_weight_map type;
   typedef type const_type;
 };
 
 template <>
-struct property_map<CGAL::internal::Steiner_tree::Csr_graph, vertex_index_t>
+struct property_map<CGAL::internal::Graph_kernel::Csr_graph, vertex_index_t>
 {
   typedef typed_identity_property_map<int> type;
   typedef type const_type;
@@ -113,7 +114,7 @@ struct property_map<CGAL::internal::Steiner_tree::Csr_graph, vertex_index_t>
 
 namespace CGAL {
 namespace internal {
-namespace Steiner_tree {
+namespace Graph_kernel {
 
 typedef boost::graph_traits<Csr_graph> Csr_traits;
 
@@ -154,8 +155,8 @@ inline double get(boost::edge_weight_t, const Csr_graph& graph, const Csr_edge_d
 inline boost::typed_identity_property_map<int> get(boost::vertex_index_t, const Csr_graph&) { return {}; }
 inline int get(boost::vertex_index_t, const Csr_graph&, int v) { return v; }
 
-} // namespace Steiner_tree
+} // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_GRAPH_TRAITS_CSR_GRAPH_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_GRAPH_TRAITS_CSR_GRAPH_H
