@@ -2,6 +2,7 @@
 #define TEST_CHARTS_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Simplicial_solver.h>
 
 #include <CGAL/Random.h>
 
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace smp = CGAL::Surface_mesh_parameterization::internal;
+
+inline const smp::Simplicial_solver_source linear_solvers;
 
 // A chart over points, for tests.
 struct Test_surface

@@ -2,6 +2,7 @@
 // projection of Hessians against Eigen's eigenvalues; random and nearly degenerate triangles.
 
 #undef NDEBUG
+#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/triangle_energy.h>
 

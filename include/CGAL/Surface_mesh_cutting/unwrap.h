@@ -172,9 +172,17 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_linear_solver}
-///     \cgalParamDescription{the solver of the sparse symmetric positive definite systems}
-///     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
+///     \cgalParamDescription{the solver of all sparse systems, which are symmetric and positive definite. It keeps the
+///                           settings it has. Its symbolic analysis serves as long as only the values of a matrix change; the
+///                           unknowns come in an order that keeps the factors sparse, which CHOLMOD leaves as it is unless
+///                           it was set up to try others}
+///     \cgalParamType{a class with the member functions `analyzePattern()`, `factorize()`, `solve()`, and `info()` of the
+///                    direct sparse solvers of \eigen, or a class model of `SparseLinearAlgebraWithFactorTraits_d`, such as
+///                    `CGAL::Eigen_solver_traits` of a direct solver}
 ///     \cgalParamDefault{a Cholesky factorization of \eigen}
+///     \cgalParamExtra{Each system has its own copy of a solver with the interface of \eigen. Pass a solver that cannot be
+///                     copied by `std::ref`: as a model of the concept, it is lent to one system at a time, so that with
+///                     several threads the systems wait for each other. The result does not depend on the number of threads.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}

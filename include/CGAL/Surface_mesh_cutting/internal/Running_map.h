@@ -46,7 +46,6 @@ struct Open_chart
 
 // The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
 // stays flip-free and keeps its energy, so that every solve starts warm.
-template <typename LinearSolver>
 class Running_map
 {
 public:
@@ -55,10 +54,12 @@ public:
   static constexpr double running_precision = 1e-4;
 
   // Work is given up, too, once `is_vain()`; what is there then has to be replaced by `restore()`.
-  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control,
+  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+              const Linear_solver_source& linear_solvers, Run_control& control,
               std::function<bool()> is_vain = [] { return false; })
-    : m_mesh(mesh), m_shapes(shapes), m_weights(area_weights(shapes)), m_control(control),
-      m_is_vain(std::move(is_vain)), m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
+    : m_mesh(mesh), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
+      m_control(control), m_is_vain(std::move(is_vain)), m_reach(mesh.graph()),
+      m_local_vertex(mesh.number_of_vertices(), -1)
   {}
 
   // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
@@ -70,7 +71,7 @@ public:
     m_state.chart = make_chart(m_mesh, cut);
     m_state.energy = std::numeric_limits<double>::infinity();
     m_state.precision = std::numeric_limits<double>::infinity();
-    Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
+    Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes, m_linear_solvers);
     Newton_options o = options();
     o.decrement = precision;
     if(!parameterizer.isometric_start(m_state.uv, o))
@@ -127,7 +128,8 @@ public:
     if(result.outcome == Newton_outcome::ITERATION_LIMIT)
     {
       std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
-      Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
+      Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes,
+                                        m_linear_solvers);
       const Newton_result cold = parameterizer.isometric_map(m_state.uv, options());
       if(cold.energy < result.energy)
         result = cold;
@@ -279,8 +281,8 @@ private:
 
   Newton_result solve(const Newton_options& o)
   {
-    Newton_solver<LinearSolver> solver(m_state.chart.triangles(), m_state.chart.number_of_vertices());
-    return solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
+    Newton_solver solver(m_state.chart.triangles(), m_state.chart.number_of_vertices(), m_linear_solvers);
+    return solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
   }
 
   // Finds the triangles that touch the window: the vertices within `radius` of the slit are free, all
@@ -351,8 +353,8 @@ private:
       m_local_vertex[v] = -1;
     }
 
-    Newton_solver<LinearSolver> solver(std::move(triangles), int(vertices.size()), std::move(is_fixed));
-    const double before = solver.template energy<Symmetric_Dirichlet_energy>(shapes, weights, uv);
+    Newton_solver solver(std::move(triangles), int(vertices.size()), m_linear_solvers, std::move(is_fixed));
+    const double before = solver.energy<Symmetric_Dirichlet_energy>(shapes, weights, uv);
     // An estimate needs about a tenth of the gain.
     Newton_options o;
     o.stop = [&](const Newton_state& s)
@@ -361,7 +363,7 @@ private:
       return gain_so_far + before - s.energy > threshold || s.decrement < tolerance ||
              !go_further();
     };
-    const Newton_result result = solver.template minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
+    const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
     for(std::size_t i = 0; i < vertices.size(); ++i)
       m_state.uv[vertices[i]] = uv[i];
     return before - result.energy;
@@ -370,6 +372,7 @@ private:
   const Flat_mesh& m_mesh;
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
+  const Linear_solver_source& m_linear_solvers;
   Run_control& m_control;
   std::function<bool()> m_is_vain;
   Open_chart m_state;

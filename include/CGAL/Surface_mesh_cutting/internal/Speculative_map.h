@@ -32,17 +32,19 @@ namespace internal {
 // as it is; so, with several threads, further ones are tried meanwhile on copies of the map, as if those
 // before were rejected. A trial is abandoned once one before it turns out to be useful. The outcome is
 // that of one thread, to the last bit.
-template <typename LinearSolver, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 class Speculative_map
 {
   static constexpr int none = (std::numeric_limits<int>::max)();
 
 public:
-  Speculative_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, Run_control& control)
+  Speculative_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                  const Linear_solver_source& linear_solvers, Run_control& control)
     : m_control(control), m_trials(number_of_copies(), none)
   {
     for(std::size_t i = 0; i < m_trials.size(); ++i)
-      m_copies.emplace_back(mesh, shapes, control, [this, i] { return m_first_useful < m_trials[i]; });
+      m_copies.emplace_back(mesh, shapes, linear_solvers, control,
+                            [this, i] { return m_first_useful < m_trials[i]; });
   }
 
   bool initialize(const Cut& cut)
@@ -51,7 +53,7 @@ public:
     return m_copies[m_current].initialize(cut);
   }
 
-  const Running_map<LinearSolver>& map() const { return m_copies[m_current]; }
+  const Running_map& map() const { return m_copies[m_current]; }
 
   // Opens the first useful one of the slits. `proposal(i)` points to the i-th one, its `path` and the
   // `least_gain` that makes it useful, or is null if nothing can be said before those that are proposed
@@ -122,7 +124,7 @@ private:
   }
 
   Run_control& m_control;
-  std::deque<Running_map<LinearSolver> > m_copies;
+  std::deque<Running_map> m_copies;
   std::size_t m_current = 0; // the copy that is the map
   bool m_are_equal = false;
   std::vector<int> m_trials; // of each copy, the one in work or the latest

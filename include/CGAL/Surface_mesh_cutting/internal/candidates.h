@@ -33,6 +33,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::Chart_parameterizer;
+using Surface_mesh_parameterization::internal::Linear_solver_source;
 using Surface_mesh_parameterization::internal::Newton_options;
 using Surface_mesh_parameterization::internal::Newton_outcome;
 using Surface_mesh_parameterization::internal::Newton_result;
@@ -56,17 +57,19 @@ inline std::vector<Point> chart_points(const Flat_mesh& mesh, const Chart& chart
 }
 
 // An as-conformal-as-possible map without flips. False if none was found or the run was stopped.
-template <typename LinearSolver>
-bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Chart& chart,
-                   Conformal_solver conformal_solver, Run_control& control, std::vector<Eigen::Vector2d>& uv)
+inline bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Chart& chart,
+                          const Cutting_parameters& parameters, Run_control& control,
+                          std::vector<Eigen::Vector2d>& uv)
 {
   using namespace Surface_mesh_parameterization::internal;
   const std::vector<Point> points = chart_points(mesh, chart);
   int flips = 0;
-  if(conformal_solver == Conformal_solver::SPECTRAL && spectral_conformal_map(chart, shapes, uv, &flips) &&
+  const Linear_solver_source& linear_solvers = *parameters.linear_solvers;
+  if(parameters.conformal_solver == Conformal_solver::SPECTRAL &&
+     spectral_conformal_map(chart, shapes, linear_solvers, uv, &flips) &&
      (flips == 0 || remove_flips(chart, points, uv)))
     return control.go_further();
-  Chart_parameterizer<LinearSolver> parameterizer(chart, points, shapes);
+  Chart_parameterizer parameterizer(chart, points, shapes, linear_solvers);
   Newton_options options;
   options.decrement = 1e-4; // where the map is distorted shows long before
   options.stop = [&](const auto&) { return !control.go_further(); };
@@ -75,14 +78,14 @@ bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
 
 // The isometric distortion of an as-conformal-as-possible map of the surface opened along `cut`, per
 // vertex (paper, Equation (3)). Empty if no flip-free map was found or the run was stopped.
-template <typename LinearSolver>
-std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Cut& cut,
-                                     const Cutting_parameters& parameters, Run_control& control)
+inline std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                            const Cut& cut, const Cutting_parameters& parameters,
+                                            Run_control& control)
 {
   using namespace Surface_mesh_parameterization::internal;
   const Chart chart = make_chart(mesh, cut);
   std::vector<Eigen::Vector2d> uv;
-  if(!conformal_map<LinearSolver>(mesh, shapes, chart, parameters.conformal_solver, control, uv))
+  if(!conformal_map(mesh, shapes, chart, parameters, control, uv))
     return {};
   return vertex_averages(shapes, mesh.triangles(),
                          face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv),
@@ -227,12 +230,11 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, const std::vector<int>
 
 // The candidates of a surface that is a disk already, or is opened to one along `cut` in any case.
 // What lies on its border is not a candidate.
-template <typename LinearSolver>
-std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                                               const Cut& cut, const Cutting_parameters& parameters,
-                                               Run_control& control)
+inline std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                                      const Cut& cut, const Cutting_parameters& parameters,
+                                                      Run_control& control)
 {
-  const std::vector<double> distortion = proxy_distortion<LinearSolver>(mesh, shapes, cut, parameters, control);
+  const std::vector<double> distortion = proxy_distortion(mesh, shapes, cut, parameters, control);
   control.report(Phase::CANDIDATES, 1);
   if(distortion.empty())
     return {};
@@ -245,19 +247,18 @@ std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std:
 
 // The redundant set of candidates by the dual cutting strategy (paper, Section 3.1.1). Empty if a
 // map failed or the run was stopped.
-template <typename LinearSolver>
-std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                                       int start, const Cutting_parameters& parameters, Run_control& control)
+inline std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                              int start, const Cutting_parameters& parameters, Run_control& control)
 {
   const std::vector<int> first = farthest_pair_path(mesh, start);
   const std::vector<double> first_distortion
-    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, first), parameters, control);
+    = proxy_distortion(mesh, shapes, make_cut(mesh, first), parameters, control);
   control.report(Phase::CANDIDATES, 0.5);
   if(first_distortion.empty())
     return {};
   const std::vector<int> second = second_cut(mesh, first, local_maximizers(mesh, first_distortion), parameters);
   std::vector<double> distortion
-    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, second), parameters, control);
+    = proxy_distortion(mesh, shapes, make_cut(mesh, second), parameters, control);
   control.report(Phase::CANDIDATES, 1);
   if(control.is_stopped())
     return {};

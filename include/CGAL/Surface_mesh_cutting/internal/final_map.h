@@ -26,9 +26,9 @@ namespace internal {
 
 // The map that is handed out: the running one, solved to the end unless it already is, and on request
 // made bijective. `uv` receives it.
-template <typename LinearSolver>
-Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Open_chart& running,
-                        bool do_bijective, Run_control& control, std::vector<Eigen::Vector2d>& uv)
+inline Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                               const Open_chart& running, const Linear_solver_source& linear_solvers,
+                               bool do_bijective, Run_control& control, std::vector<Eigen::Vector2d>& uv)
 {
   Newton_options options;
   options.stop = [&control](const Newton_state&) { return !control.go_further(); };
@@ -41,11 +41,12 @@ Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& sh
     result.energy = running.energy;
   }
   else
-    result = Chart_parameterizer<LinearSolver>(running.chart, points, shapes).improve_isometrically(uv, options);
+    result
+      = Chart_parameterizer(running.chart, points, shapes, linear_solvers).improve_isometrically(uv, options);
   if(!do_bijective)
     return result;
-  return Surface_mesh_parameterization::internal::make_bijective<LinearSolver>(running.chart, points, shapes, uv,
-                                                                               result, options);
+  return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, shapes, linear_solvers,
+                                                                 uv, result, options);
 }
 
 } // namespace internal

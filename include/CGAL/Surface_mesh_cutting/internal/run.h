@@ -18,6 +18,11 @@
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_cutter.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver_source.h>
+
+#include <CGAL/Default.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -76,7 +81,9 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
   auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   Run_control control = make_run_control(
     visitor, double(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.)));
-  const Request request = read_request(np);
+  Request request = read_request(np);
+  request.parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
+    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()));
 
   Flat_status status = adapter.status();
   if(status)
@@ -86,8 +93,7 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
     status.finding = read_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), adapter.exponent(),
-                                                                          constraints, request, control, clock);
+    Mesh_cutter<ConcurrencyTag> cutter(adapter.mesh(), adapter.exponent(), constraints, request, control, clock);
     const Mesh_result found = cutter.run(goal);
     status.finding = found.status.finding;
     translate(found, adapter, result);

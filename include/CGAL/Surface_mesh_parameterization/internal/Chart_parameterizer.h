@@ -14,9 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
@@ -32,21 +34,20 @@ namespace internal {
 
 // Flip-free maps of one chart: from nothing, or better ones from a given one. Keeps what does not
 // change between solves: shapes, weights and the symbolic factorization.
-template <typename LinearSolver = Simplicial_solver>
 class Chart_parameterizer
 {
 public:
   // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat.
   Chart_parameterizer(const Chart& chart, std::vector<Eigen::Vector3d> points,
-                      const std::vector<Rest_shape>& shapes)
+                      const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers)
     : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
-      m_solver(chart.triangles(), chart.number_of_vertices())
+      m_linear_solvers(linear_solvers), m_solver(chart.triangles(), chart.number_of_vertices(), linear_solvers)
   {}
 
-  // As conformal as possible, free border (paper, Section 3.4): KP-Newton on the MIPS energy, from
-  // the hierarchical map, or from Tutte's embedding should the hierarchy fail. Tutte's embedding of
-  // the whole chart, the paper's start, costs three times as many iterations, and collapses in
-  // floating point where long parts hang on a short border. The result has the surface's area.
+  // As conformal as possible, free border: KP-Newton on the MIPS energy, from the hierarchical map, or
+  // from Tutte's embedding should the hierarchy fail. Tutte's embedding of the whole chart, the usual
+  // start, costs three times as many iterations, and collapses in floating point where long parts hang
+  // on a short border. The result has the surface's area.
   Newton_result conformal_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
     if(!start<MIPS_energy>(uv, options))
@@ -56,7 +57,7 @@ public:
 
   Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
-    const Newton_result result = m_solver.template minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
+    const Newton_result result = m_solver.minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
     if(result.outcome != Newton_outcome::FAILED)
       scale_to_area(m_chart.triangles(), surface_area(m_shapes), uv);
     return result;
@@ -83,23 +84,25 @@ public:
     const double scale = best_scale(m_shapes, m_chart.triangles(), uv);
     for(Eigen::Vector2d& u : uv)
       u *= scale;
-    return m_solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
+    return m_solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
   }
 
 private:
   template <typename Energy>
   bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options) const
   {
-    const Stages_outcome outcome = hierarchical_map<Energy, LinearSolver>(m_chart, m_points, uv, options.stop);
+    const Stages_outcome outcome = hierarchical_map<Energy>(m_chart, m_points, m_linear_solvers, uv, options.stop);
     return outcome == Stages_outcome::MAPPED ||
-           (outcome == Stages_outcome::FAILED && tutte_map(m_chart, m_points, surface_area(m_shapes), uv));
+           (outcome == Stages_outcome::FAILED &&
+            tutte_map(m_chart, m_points, surface_area(m_shapes), m_linear_solvers, uv));
   }
 
   const Chart& m_chart;
   std::vector<Eigen::Vector3d> m_points;
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
-  Newton_solver<LinearSolver> m_solver;
+  const Linear_solver_source& m_linear_solvers;
+  Newton_solver m_solver;
 };
 
 } // namespace internal

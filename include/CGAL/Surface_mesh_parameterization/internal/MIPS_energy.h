@@ -14,18 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Energy_derivatives.h>
+
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// Value and derivatives of an energy of the two numbers x = |f_z|^2 and y = |f_z̄|^2 of an affine
-// map; the determinant is x - y, the squared Frobenius norm 2 (x + y).
-struct Energy_derivatives
-{
-  double value, x, y, xx, xy, yy;
-};
-
-// The conformal energy of the paper, Equation (1): 0.5 |J|^2 / det J = (x + y) / (x - y), ideally 1.
+// The conformal energy [HG00]: 0.5 |J|^2 / det J = (x + y) / (x - y), ideally 1.
 struct MIPS_energy
 {
   static constexpr double ideal = 1;

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flip_barrier.h>
 
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -65,15 +67,14 @@ struct Newton_result
 // projected Hessians. Each step stays short of the first flip and satisfies Armijo's condition, so
 // the energy never grows and no triangle ever flips. One object serves any number of solves over
 // the same triangles; the symbolic factorization is kept.
-template <typename LinearSolver = Simplicial_solver>
 class Newton_solver
 {
 public:
   // Vertices with `is_fixed` keep their place (empty: all are free; then the first vertex is pinned,
   // which costs nothing since the energies do not depend on translation).
   Newton_solver(std::vector<Triangle> triangles, int number_of_vertices,
-                std::vector<char> is_fixed = {})
-    : m_triangles(std::move(triangles))
+                const Linear_solver_source& linear_solvers, std::vector<char> is_fixed = {})
+    : m_triangles(std::move(triangles)), m_solver(linear_solvers.make_solver())
   {
     if(std::find(is_fixed.begin(), is_fixed.end(), char(1)) == is_fixed.end() && !m_triangles.empty())
     {
@@ -82,7 +83,7 @@ public:
     }
     m_system = Newton_system(m_triangles, number_of_vertices, is_fixed);
     if(m_system.number_of_unknowns() > 0)
-      m_solver.analyze(m_system.hessian());
+      m_solver->analyze(m_system.hessian());
   }
 
   const std::vector<Triangle>& triangles() const { return m_triangles; }
@@ -93,6 +94,7 @@ public:
   Newton_result minimize(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
                          std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
+    const Release release{*m_solver};
     Newton_result result;
     std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
     result.energy = energy<Energy>(shapes, weights, uv);
@@ -163,6 +165,13 @@ public:
   }
 
 private:
+  // Lets go of the linear solver at the end of a scope.
+  struct Release
+  {
+    Linear_solver& solver;
+    ~Release() { solver.release(); }
+  };
+
   struct Curvature_pair
   {
     Eigen::VectorXd step, gradient_change;
@@ -191,9 +200,9 @@ private:
       if(!std::isfinite(result.energy))
         return false;
       ++result.iterations;
-      if(!m_solver.factorize(m_system.hessian()))
+      if(!m_solver->factorize(m_system.hessian()))
         continue;
-      m_step = m_solver.solve(m_system.gradient());
+      m_step = m_solver->solve(m_system.gradient());
       result.decrement = m_system.gradient().dot(m_step);
       if(std::isfinite(result.decrement) && result.decrement >= 0)
         return true;
@@ -229,7 +238,7 @@ private:
       alphas[i] = m_memory[i].step.dot(q) / m_memory[i].product;
       q -= alphas[i] * m_memory[i].gradient_change;
     }
-    m_step = m_solver.solve(q);
+    m_step = m_solver->solve(q);
     for(std::size_t i = 0; i < m_memory.size(); ++i)
     {
       const double beta = m_memory[i].gradient_change.dot(m_step) / m_memory[i].product;
@@ -248,10 +257,14 @@ private:
   {
     constexpr double armijo = 1e-4, backtracking = 0.5, margin = 0.9;
     constexpr int maximum_trials = 60;
-    const auto energy_at = [&](double t)
+    const auto move = [&](double t)
     {
       for(std::size_t v = 0; v < uv.size(); ++v)
         trial[v] = uv[v] + t * direction[v];
+    };
+    const auto energy_at = [&](double t)
+    {
+      move(t);
       return energy<Energy>(shapes, weights, trial);
     };
     const double longest = margin * step_to_first_flip(m_triangles, uv, direction);
@@ -266,18 +279,21 @@ private:
       {
         const double next = energy_at(longer);
         if(!(next < e))
+        {
+          move(t);
           break;
+        }
         e = next;
         t = longer;
       }
-    result.energy = energy_at(t);
+    result.energy = e;
     uv.swap(trial);
     return t;
   }
 
   std::vector<Triangle> m_triangles;
   Newton_system m_system;
-  LinearSolver m_solver;
+  std::unique_ptr<Linear_solver> m_solver;
   Eigen::VectorXd m_step;
   std::vector<Curvature_pair> m_memory;
 };

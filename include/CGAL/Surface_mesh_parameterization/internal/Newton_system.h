@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/fill_reducing_order.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/triangle_energy.h>
 
 #include <Eigen/Core>

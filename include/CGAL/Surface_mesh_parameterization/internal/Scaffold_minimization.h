@@ -14,12 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Scaffold.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 
 #include <Eigen/Core>
 
@@ -47,13 +48,13 @@ struct Scaffold_options
 // the same energy with its current shape as the ideal one, so that it resists a change of shape but
 // exerts no force; it is made anew every few steps. Its total weight is small, and the same for all
 // of its triangles: thus a gap that closes keeps its resistance.
-template <typename LinearSolver>
 class Scaffold_minimization
 {
 public:
   Scaffold_minimization(const Chart& chart, const std::vector<Rest_shape>& shapes,
-                        const Scaffold_options& options)
-    : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_options(options)
+                        const Linear_solver_source& linear_solvers, const Scaffold_options& options)
+    : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
+      m_options(options)
   {}
 
   // `uv` holds an injective map and receives a better one, or stays as it is. In exact arithmetic it
@@ -114,12 +115,11 @@ private:
     is_fixed.resize(n + Scaffold::number_of_corners, 1);
     is_fixed.resize(uv.size(), !m_options.moves_scaffold);
 
-    Newton_solver<LinearSolver> solver(triangles, int(uv.size()), std::move(is_fixed));
+    Newton_solver solver(triangles, int(uv.size()), m_linear_solvers, std::move(is_fixed));
     Newton_options options;
     options.maximum_iterations = factorizations;
     options.stop = m_options.stop;
-    const Newton_result result
-      = solver.template minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
+    const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
     total.decrement = result.decrement;
     if(result.outcome == Newton_outcome::FAILED || count_flips(triangles, uv) > 0)
@@ -131,6 +131,7 @@ private:
   const Chart& m_chart;
   const std::vector<Rest_shape>& m_shapes;
   const std::vector<double> m_weights;
+  const Linear_solver_source& m_linear_solvers;
   const Scaffold_options& m_options;
   Scaffold m_scaffold;
 };

@@ -14,13 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Energy_derivatives.h>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// The isometric energy of the paper, Equation (2): |J|^2 + |J^-1|^2 = 2 (x + y) (1 + 1 / (x - y)^2),
+// The isometric energy [SS15]: |J|^2 + |J^-1|^2 = 2 (x + y) (1 + 1 / (x - y)^2),
 // ideally 4.
 struct Symmetric_Dirichlet_energy
 {

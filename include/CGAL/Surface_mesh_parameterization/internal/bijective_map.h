@@ -16,7 +16,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Scaffold_minimization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 
@@ -40,10 +43,9 @@ inline bool is_bijective(const Chart& chart, const std::vector<Eigen::Vector2d>&
 // An injective map near the optimum: Tutte's embedding of the coarsest stage of the hierarchy is
 // injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
 // Should that fail, Tutte's embedding of the whole chart is optimized. False if rounding spoils both, or if stopped.
-template <typename LinearSolver>
-bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
-                     const std::vector<Rest_shape>& shapes, const Scaffold_options& options,
-                     std::vector<Eigen::Vector2d>& uv)
+inline bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                            const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                            const Scaffold_options& options, std::vector<Eigen::Vector2d>& uv)
 {
   // In coarse stages, parts of the chart still travel far; these stages are cheap.
   constexpr int largest_coarse_stage = 1000;
@@ -52,51 +54,50 @@ bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& poi
     Scaffold_options stage_options = options;
     stage_options.decrease = 1e-2;
     stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_coarse_stage;
-    return Scaffold_minimization<LinearSolver>(stage.chart, stage.shapes, stage_options)(stage_uv).outcome;
+    return Scaffold_minimization(stage.chart, stage.shapes, linear_solvers, stage_options)(stage_uv).outcome;
   };
   constexpr bool keeps_region = true;
   const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map); };
   const Stages_outcome outcome
-    = map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, optimize, is_valid, uv);
+    = map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, linear_solvers, optimize, is_valid, uv);
   if(outcome != Stages_outcome::FAILED)
     return outcome == Stages_outcome::MAPPED;
-  if(!tutte_map(chart, points, surface_area(shapes), uv))
+  if(!tutte_map(chart, points, surface_area(shapes), linear_solvers, uv))
     return false;
   Scaffold_options tutte_options = options;
   tutte_options.moves_scaffold = true;
-  Scaffold_minimization<LinearSolver>(chart, shapes, tutte_options)(uv);
+  Scaffold_minimization(chart, shapes, linear_solvers, tutte_options)(uv);
   return is_bijective(chart, uv);
 }
 
 // As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
 // isometric map, with what its solve returned. That is the answer if its borders do not overlap.
 // FAILED if no injective map was found.
-template <typename LinearSolver>
-Newton_result make_bijective(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
-                             const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv,
-                             const Newton_result& isometric, const Newton_options& options)
+inline Newton_result make_bijective(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                                    const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                                    std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
+                                    const Newton_options& options)
 {
   if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
     return isometric;
   Scaffold_options scaffold_options;
   scaffold_options.stop = options.stop;
   if(isometric.outcome == Newton_outcome::STOPPED ||
-     !bijective_start<LinearSolver>(chart, points, shapes, scaffold_options, uv))
+     !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
     return Newton_result();
-  const Newton_result result = Scaffold_minimization<LinearSolver>(chart, shapes, scaffold_options)(uv);
+  const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
   return is_bijective(chart, uv) ? result : Newton_result();
 }
 
 // The same without a map to start with. `points` holds the position of each chart vertex on the
 // surface, `shapes` the triangles laid flat.
-template <typename LinearSolver>
-Newton_result bijective_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
-                            const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv,
-                            const Newton_options& options)
+inline Newton_result bijective_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                                   const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                                   std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
 {
   const Newton_result isometric
-    = Chart_parameterizer<LinearSolver>(chart, points, shapes).isometric_map(uv, options);
-  return make_bijective<LinearSolver>(chart, points, shapes, uv, isometric, options);
+    = Chart_parameterizer(chart, points, shapes, linear_solvers).isometric_map(uv, options);
+  return make_bijective(chart, points, shapes, linear_solvers, uv, isometric, options);
 }
 
 } // namespace internal

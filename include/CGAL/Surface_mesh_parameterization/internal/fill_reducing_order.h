@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
 
 #include <Eigen/OrderingMethods>
 

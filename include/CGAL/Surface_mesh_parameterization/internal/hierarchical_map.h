@@ -15,7 +15,10 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_hierarchy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 
 #include <Eigen/Core>
@@ -46,7 +49,8 @@ enum class Stages_outcome { MAPPED, FAILED, STOPPED };
 
 // From Tutte's embedding of the stage of about `coarsest_size` vertices to the whole chart.
 template <typename Energy, typename Optimize>
-Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size, const Optimize& optimize,
+Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
+                             const Linear_solver_source& linear_solvers, const Optimize& optimize,
                              std::vector<Eigen::Vector2d>& uv)
 {
   constexpr int growth = 2;
@@ -55,7 +59,7 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size, cons
   {
     const Chart_hierarchy::Stage stage = hierarchy.stage();
     std::vector<Eigen::Vector2d> stage_uv = restricted(uv, stage.vertices);
-    if(is_first && !tutte_map(stage.chart, stage.points, surface_area(stage.shapes), stage_uv))
+    if(is_first && !tutte_map(stage.chart, stage.points, surface_area(stage.shapes), linear_solvers, stage_uv))
       return Stages_outcome::FAILED;
     const Newton_outcome outcome = optimize(stage, stage_uv);
     if(outcome == Newton_outcome::STOPPED)
@@ -77,13 +81,14 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size, cons
 // it ended.
 template <typename Energy, typename Optimize, typename IsValid>
 Stages_outcome map_by_stages(const Chart& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_region,
-                             const Optimize& optimize, const IsValid& is_valid, std::vector<Eigen::Vector2d>& uv)
+                             const Linear_solver_source& linear_solvers, const Optimize& optimize,
+                             const IsValid& is_valid, std::vector<Eigen::Vector2d>& uv)
 {
   for(int coarsest_size : {250, 60, 15, 4})
   {
     uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
     Chart_hierarchy hierarchy(chart, points, keeps_region);
-    const Stages_outcome outcome = map_by_stages<Energy>(hierarchy, coarsest_size, optimize, uv);
+    const Stages_outcome outcome = map_by_stages<Energy>(hierarchy, coarsest_size, linear_solvers, optimize, uv);
     if(outcome == Stages_outcome::STOPPED || (outcome == Stages_outcome::MAPPED && is_valid(uv)))
       return outcome;
   }
@@ -92,22 +97,22 @@ Stages_outcome map_by_stages(const Chart& chart, const std::vector<Eigen::Vector
 
 // A flip-free map of low energy. Coarse stages are solved tightly: the slow modes of charts far from
 // their optimum are global, and every iteration saved at full resolution pays for many there.
-template <typename Energy, typename LinearSolver>
+template <typename Energy>
 Stages_outcome hierarchical_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
-                                std::vector<Eigen::Vector2d>& uv,
+                                const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
                                 const std::function<bool(const Newton_state&)>& stop = {})
 {
-  const auto optimize = [&stop](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
+  const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
   {
     Newton_options options;
     options.decrement = 1e-5;
     options.stop = stop;
-    Newton_solver<LinearSolver> solver(stage.chart.triangles(), stage.chart.number_of_vertices());
-    return solver.template minimize<Energy>(stage.shapes, area_weights(stage.shapes), stage_uv, options).outcome;
+    Newton_solver solver(stage.chart.triangles(), stage.chart.number_of_vertices(), linear_solvers);
+    return solver.minimize<Energy>(stage.shapes, area_weights(stage.shapes), stage_uv, options).outcome;
   };
   const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map)
   { return count_flips(chart.triangles(), map) == 0; };
-  return map_by_stages<Energy>(chart, points, false, optimize, is_valid, uv);
+  return map_by_stages<Energy>(chart, points, false, linear_solvers, optimize, is_valid, uv);
 }
 
 } // namespace internal

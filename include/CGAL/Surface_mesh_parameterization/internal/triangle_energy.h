@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Energy_derivatives.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
 
 #include <Eigen/Core>
