@@ -17,6 +17,7 @@
 
 namespace smp = CGAL::Surface_mesh_parameterization::internal;
 
+// The built-in ones.
 inline const smp::Simplicial_solver_source linear_solvers;
 
 // A chart over points, for tests.

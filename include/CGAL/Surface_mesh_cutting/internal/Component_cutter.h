@@ -373,9 +373,8 @@ private:
   {
     const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
     result.chart = refiner.chart().chart;
-    const Newton_result newton = final_map(m_fine.mesh, m_fine.shapes, refiner.chart(),
-                                           *m_parameters.linear_solvers, m_parameters.do_bijective, m_control,
-                                           result.uv);
+    const Newton_result newton
+      = final_map(m_fine.mesh, m_fine.shapes, refiner.chart(), m_parameters, m_control, result.uv);
     result.energy = newton.energy;
     result.has_map = newton.outcome != Newton_outcome::FAILED;
     if(!result.has_map || m_control.is_stopped())

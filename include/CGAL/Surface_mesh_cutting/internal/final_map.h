@@ -27,11 +27,12 @@ namespace internal {
 // The map that is handed out: the running one, solved to the end unless it already is, and on request
 // made bijective. `uv` receives it.
 inline Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                               const Open_chart& running, const Linear_solver_source& linear_solvers,
-                               bool do_bijective, Run_control& control, std::vector<Eigen::Vector2d>& uv)
+                               const Open_chart& running, const Cutting_parameters& parameters,
+                               Run_control& control, std::vector<Eigen::Vector2d>& uv)
 {
   Newton_options options;
   options.stop = [&control](const Newton_state&) { return !control.go_further(); };
+  const Linear_solver_source& linear_solvers = *parameters.linear_solvers;
   const std::vector<Eigen::Vector3d> points = chart_points(mesh, running.chart);
   Newton_result result;
   uv = running.uv;
@@ -43,7 +44,7 @@ inline Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_sha
   else
     result
       = Chart_parameterizer(running.chart, points, shapes, linear_solvers).improve_isometrically(uv, options);
-  if(!do_bijective)
+  if(!parameters.do_bijective)
     return result;
   return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, shapes, linear_solvers,
                                                                  uv, result, options);
