@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/candidates.h>
 #include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>

@@ -24,8 +24,8 @@
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/Surface_mesh_cutting/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -1,11 +1,11 @@
 // Time of assembling energy, gradient and Hessian, and the share of the factorization in a solve,
 // on a bumpy grid of about 100,000 triangles.
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_system.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>

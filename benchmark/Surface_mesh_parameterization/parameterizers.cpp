@@ -3,8 +3,8 @@
 // along a shortest path between two distant vertices, which makes for the hardest maps there are.
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

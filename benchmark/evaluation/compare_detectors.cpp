@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/detect_feature_points.h>
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <algorithm>
 #include <cstdlib>

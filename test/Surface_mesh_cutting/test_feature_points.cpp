@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/Random.h>
 

@@ -1,8 +1,8 @@
 #ifndef TEST_CHARTS_H
 #define TEST_CHARTS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/Random.h>
 

@@ -4,7 +4,7 @@
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

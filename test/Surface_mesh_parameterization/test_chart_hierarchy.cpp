@@ -4,9 +4,9 @@
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 
 #include <cassert>
 #include <iostream>

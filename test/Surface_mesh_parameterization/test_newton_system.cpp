@@ -4,12 +4,12 @@
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flip_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
 #include <cassert>
 #include <cmath>

@@ -4,11 +4,11 @@
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/remove_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/remove_flips.h>
 
 #include <cassert>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/candidates.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <fstream>
 #include <iostream>

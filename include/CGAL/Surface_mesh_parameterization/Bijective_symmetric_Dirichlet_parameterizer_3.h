@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Free_border_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 
 #include <CGAL/Default.h>
 

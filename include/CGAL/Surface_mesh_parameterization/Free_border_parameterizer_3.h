@@ -14,11 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
 #include <CGAL/use.h>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 

@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>

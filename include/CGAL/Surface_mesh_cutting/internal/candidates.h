@@ -20,8 +20,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/remove_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/remove_flips.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 
 #include <vector>
 

@@ -22,7 +22,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 
 #include <chrono>
 #include <cmath>

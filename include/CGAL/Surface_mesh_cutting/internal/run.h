@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #include <CGAL/Default.h>
 

@@ -14,14 +14,14 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 
 #include <Eigen/Core>
 

@@ -14,11 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

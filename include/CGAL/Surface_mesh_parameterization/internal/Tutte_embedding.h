@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
