@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/candidates.h>
 #include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -41,9 +42,10 @@ constexpr int usual_stage = 250;
 // The first stage, of those that are tried, from which the whole chart can be mapped.
 int coarsest_stage(const Chart& chart, const std::vector<Point>& points)
 {
-  const auto optimize = [](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& uv)
+  const Simplicial_solver_source linear_solvers;
+  const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& uv)
   {
-    Newton_solver<> solver(stage.chart.triangles(), stage.chart.number_of_vertices());
+    Newton_solver solver(stage.chart.triangles(), stage.chart.number_of_vertices(), linear_solvers);
     return solver.minimize<Symmetric_Dirichlet_energy>(stage.shapes, area_weights(stage.shapes), uv, Newton_options())
       .outcome;
   };
@@ -51,7 +53,8 @@ int coarsest_stage(const Chart& chart, const std::vector<Point>& points)
   {
     std::vector<Eigen::Vector2d> uv(chart.number_of_vertices(), Eigen::Vector2d::Zero());
     Chart_hierarchy hierarchy(chart, points);
-    if(map_by_stages<Symmetric_Dirichlet_energy>(hierarchy, size, optimize, uv) == Stages_outcome::MAPPED &&
+    if(map_by_stages<Symmetric_Dirichlet_energy>(hierarchy, size, linear_solvers, optimize, uv)
+         == Stages_outcome::MAPPED &&
        count_flips(chart.triangles(), uv) == 0)
       return size;
   }
@@ -63,11 +66,12 @@ void measure(const std::string& name, const Flat_mesh& mesh, const Cut& cut, Cou
   const Chart chart = make_chart(mesh, cut);
   const std::vector<Point> points = chart_points(mesh, chart);
   const std::vector<Rest_shape> shapes = rest_shapes(mesh.triangles(), mesh.points());
+  const Simplicial_solver_source linear_solvers;
   std::vector<Eigen::Vector2d> uv;
   int flips = -1;
-  const bool has_spectral_map = spectral_conformal_map(chart, shapes, uv, &flips);
+  const bool has_spectral_map = spectral_conformal_map(chart, shapes, linear_solvers, uv, &flips);
   const bool is_repaired = has_spectral_map && flips > 0 && remove_flips(chart, points, uv);
-  const bool has_tutte_map = tutte_map(chart, points, surface_area(shapes), uv);
+  const bool has_tutte_map = tutte_map(chart, points, surface_area(shapes), linear_solvers, uv);
 
   const int stage = coarsest_stage(chart, points);
 

@@ -16,6 +16,7 @@
 #include "peak_memory.h"
 #include "pipeline_options.h"
 
+#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -23,10 +24,15 @@
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/Surface_mesh_cutting/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#endif
+
+#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
+#include <Eigen/CholmodSupport>
 #endif
 
 #include <cstdlib>
@@ -44,7 +50,6 @@ typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
 typedef Mesh::Property_map<edge_descriptor, bool>      Cut_map;
 typedef SMC::Unwrap_result<Mesh>                       Result;
 typedef Eigen::SparseMatrix<double>                    Matrix;
-typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> > Simplicial_traits;
 
 // Of one phase, over the repetitions.
 double median_seconds(const std::vector<SMC::Phase_times>& times, double SMC::Phase_times::* phase)
@@ -73,8 +78,9 @@ struct Measurement
   double cut() const { return total() - median_seconds(cpu_seconds, &SMC::Phase_times::parameterize); }
 };
 
-template <typename SolverTraits>
-std::optional<Cold_map_seconds> seconds_of_cold_map(const Mesh& mesh, Cut_map is_cut, const Result& result)
+template <typename Solver>
+std::optional<Cold_map_seconds> seconds_of_cold_map(const Mesh& mesh, Cut_map is_cut, const Result& result,
+                                                    const Solver& solver)
 {
   if(!result || result.components != 1)
     return std::nullopt;
@@ -83,12 +89,12 @@ std::optional<Cold_map_seconds> seconds_of_cold_map(const Mesh& mesh, Cut_map is
   const auto border = CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first;
   if(chart.read(seam_mesh, border) != SMP::OK)
     return std::nullopt;
+  const auto linear_solvers = SMP::internal::make_linear_solver_source(solver);
   const auto seconds_of = [&](const auto& map)
   {
     const std::clock_t start = std::clock();
     const auto shapes = SMP::internal::rest_shapes(chart.chart().triangles(), chart.points());
-    SMP::internal::Chart_parameterizer<typename SMC::internal::Engine_solver<SolverTraits>::type>
-      parameterizer(chart.chart(), chart.points(), shapes);
+    SMP::internal::Chart_parameterizer parameterizer(chart.chart(), chart.points(), shapes, *linear_solvers);
     std::vector<Eigen::Vector2d> uv;
     map(parameterizer, shapes, uv);
     return double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -98,13 +104,14 @@ std::optional<Cold_map_seconds> seconds_of_cold_map(const Mesh& mesh, Cut_map is
     seconds_of([&](auto& parameterizer, const auto&, auto& uv) { parameterizer.isometric_map(uv, options); }),
     seconds_of([&](auto& parameterizer, const auto& shapes, auto& uv)
                {
-                 if(SMP::internal::tutte_map(chart.chart(), chart.points(), SMP::internal::surface_area(shapes), uv))
+                 if(SMP::internal::tutte_map(chart.chart(), chart.points(), SMP::internal::surface_area(shapes),
+                                             *linear_solvers, uv))
                    parameterizer.improve_isometrically(uv, options);
                })};
 }
 
-template <typename SolverTraits>
-Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
+template <typename Solver>
+Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed, const Solver& solver)
 {
   const Cut_map is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
   const auto uv = mesh.add_property_map<halfedge_descriptor, Kernel::Point_2>("h:uv").first;
@@ -116,7 +123,7 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
                     .maximum_distortion(options.maximum_distortion)
                     .do_bijective(options.is_bijective)
                     .random_seed(static_cast<unsigned int>(seed))
-                    .sparse_linear_solver(SolverTraits());
+                    .sparse_linear_solver(solver);
   Measurement measurement;
   reset_peak_memory();
   for(int i = 0; i < options.repetitions; ++i)
@@ -127,7 +134,7 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
   }
   measurement.memory = peak_memory();
   if(options.measures_cold_map)
-    measurement.cold_map = seconds_of_cold_map<SolverTraits>(mesh, is_cut, measurement.result);
+    measurement.cold_map = seconds_of_cold_map(mesh, is_cut, measurement.result, solver);
   return measurement;
 }
 
@@ -135,11 +142,11 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
 {
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
   if(options.solver == "cholmod")
-    return measure<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix> > >(mesh, options, seed);
+    return measure(mesh, options, seed, CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix> >());
 #endif
   if(options.solver != "eigen")
     throw std::runtime_error("there is no solver " + options.solver);
-  return measure<Simplicial_traits>(mesh, options, seed);
+  return measure(mesh, options, seed, CGAL::Default());
 }
 
 // Nothing if there is no value.

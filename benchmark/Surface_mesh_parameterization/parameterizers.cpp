@@ -3,7 +3,8 @@
 // along a shortest path between two distant vertices, which makes for the hardest maps there are.
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -12,12 +13,18 @@
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
+#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -65,13 +72,13 @@ bool open(Mesh& mesh, Mesh_chart<Seam_mesh>& chart)
   return chart.read(seam, boost::graph_traits<Seam_mesh>::halfedge_descriptor(h, true)) == OK;
 }
 
-template <typename LinearSolver, typename Solve>
+template <typename Solve>
 void measure(const std::string& prefix, const char* parameterizer, const char* solver,
-             const Mesh_chart<Seam_mesh>& chart, const Solve& solve)
+             const Linear_solver_source& linear_solvers, const Mesh_chart<Seam_mesh>& chart, const Solve& solve)
 {
   const std::clock_t start = std::clock();
   const std::vector<Rest_shape> shapes = rest_shapes(chart.chart().triangles(), chart.points());
-  Chart_parameterizer<LinearSolver> method(chart.chart(), chart.points(), shapes);
+  Chart_parameterizer method(chart.chart(), chart.points(), shapes, linear_solvers);
   std::vector<Eigen::Vector2d> uv;
   const Newton_result result = solve(method, uv);
   const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -79,14 +86,15 @@ void measure(const std::string& prefix, const char* parameterizer, const char* s
             << seconds << ',' << result.energy << ',' << result.is_converged() << std::endl;
 }
 
-template <typename LinearSolver>
-void measure_both(const std::string& prefix, const char* solver,
+template <typename Solver>
+void measure_both(const std::string& prefix, const char* name, const Solver& solver,
                   const Mesh_chart<Seam_mesh>& chart)
 {
-  measure<LinearSolver>(prefix, "MIPS", solver, chart, [](auto& method, auto& uv)
-                        { return method.conformal_map(uv, Newton_options()); });
-  measure<LinearSolver>(prefix, "symmetric Dirichlet", solver, chart, [](auto& method, auto& uv)
-                        { return method.isometric_map(uv, Newton_options()); });
+  const std::shared_ptr<const Linear_solver_source> linear_solvers = make_linear_solver_source(solver);
+  measure(prefix, "MIPS", name, *linear_solvers, chart, [](auto& method, auto& uv)
+          { return method.conformal_map(uv, Newton_options()); });
+  measure(prefix, "symmetric Dirichlet", name, *linear_solvers, chart, [](auto& method, auto& uv)
+          { return method.isometric_map(uv, Newton_options()); });
 }
 
 int main(int argc, char* argv[])
@@ -106,9 +114,10 @@ int main(int argc, char* argv[])
        !CGAL::IO::read_polygon_mesh(file.string(), mesh) || !open(mesh, chart))
       continue;
     const std::string prefix = file.stem().string() + ',' + std::to_string(num_faces(mesh));
-    measure_both<Simplicial_solver>(prefix, "SimplicialLDLT", chart);
+    measure_both(prefix, "SimplicialLDLT", CGAL::Default(), chart);
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-    measure_both<Supernodal_solver>(prefix, "CHOLMOD", chart);
+    Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Upper> cholmod;
+    measure_both(prefix, "CHOLMOD", std::ref(cholmod), chart);
 #endif
   }
   return EXIT_SUCCESS;

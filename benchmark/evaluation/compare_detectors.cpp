@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/detect_feature_points.h>
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,6 +27,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <random>
 #include <sstream>
 
@@ -81,10 +83,11 @@ Detection candidates(const Surface& surface)
   Flat::Cutting_parameters parameters;
   parameters.is_faithful = true;
   parameters.conformal_solver = SMC::Conformal_solver::KP_NEWTON;
+  parameters.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
   Flat::Run_control control;
   Detection detection;
   for(const Flat::Candidate& c
-      : Flat::find_candidates<SMP::Simplicial_solver>(surface.mesh, surface.shapes, start, parameters, control))
+      : Flat::find_candidates(surface.mesh, surface.shapes, start, parameters, control))
     detection.features.push_back(c.vertex);
   return detection;
 }
@@ -133,7 +136,8 @@ void evaluate(const Surface& surface, const std::vector<int>& features, const st
     mesh, Flat::unconstrained(mesh), features, options, [] { return true; });
   const double connect_seconds = cpu_seconds() - start;
   Flat::Run_control control;
-  Flat::Running_map<SMP::Simplicial_solver> map(mesh, surface.shapes, Flat::Mapping_policy(), control);
+  const SMP::Simplicial_solver_source linear_solvers;
+  Flat::Running_map map(mesh, surface.shapes, Flat::Mapping_policy(linear_solvers), control);
   const bool is_mapped = connected.has_cut() && map.initialize(connected.cut);
   std::cout << (is_mapped ? "done" : "no map") << ',' << connected.number_of_auxiliary_points << ','
             << Flat::cut_length(mesh, connected.cut) / diagonal << ',' << map.energy() << ',' << connect_seconds

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/Random.h>
 
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting::internal;
@@ -133,7 +135,7 @@ void test_disks(CGAL::Random& random)
 
 // The energy that full convergence reaches from the state after the slit.
 double converged_energy(const SMC::Flat_mesh& mesh, const std::vector<SMP::Rest_shape>& shapes,
-                        const SMC::Running_map<SMP::Simplicial_solver>& map, const std::vector<int>& slit)
+                        const SMC::Running_map& map, const std::vector<int>& slit)
 {
   SMC::Chart chart = map.chart();
   std::vector<Eigen::Vector2d> uv = map.uv();
@@ -147,7 +149,8 @@ double converged_energy(const SMC::Flat_mesh& mesh, const std::vector<SMP::Rest_
   SMP::Newton_options options;
   options.decrement = 1e-10;
   options.maximum_iterations = 500;
-  SMP::Newton_solver<> solver(chart.triangles(), chart.number_of_vertices());
+  const SMP::Simplicial_solver_source linear_solvers;
+  SMP::Newton_solver solver(chart.triangles(), chart.number_of_vertices(), linear_solvers);
   return solver.minimize<SMP::Symmetric_Dirichlet_energy>(shapes, SMP::area_weights(shapes), uv, options).energy;
 }
 
@@ -164,7 +167,8 @@ void test_replay(CGAL::Random& random, int& decisions)
   const SMC::Flat_mesh mesh = random_star_shape(14, random);
   const std::vector<SMP::Rest_shape> shapes = SMP::rest_shapes(mesh.triangles(), mesh.points());
   SMC::Run_control control;
-  SMC::Running_map<SMP::Simplicial_solver> map(mesh, shapes, SMC::Mapping_policy(), control);
+  const SMP::Simplicial_solver_source linear_solvers;
+  SMC::Running_map map(mesh, shapes, SMC::Mapping_policy(linear_solvers), control);
   check(map.initialize(SMC::make_cut(mesh, SMC::path_to_farthest_vertex(mesh, 0, 2))), "initial map");
   SMC::Shortest_paths paths(mesh.graph());
   const double threshold = 0.01;
@@ -209,10 +213,10 @@ template <typename ConcurrencyTag, typename Judge>
 void filter(const Filtering& f, Judge judge)
 {
   const SMC::Edge_constraints constraints = SMC::unconstrained(f.mesh);
-  const SMC::Cutting_parameters parameters;
+  SMC::Cutting_parameters parameters;
+  parameters.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
   SMC::Run_control control;
-  SMC::Greedy_filter<SMP::Simplicial_solver, ConcurrencyTag> filter(f.mesh, f.shapes, constraints, f.terminals,
-                                                                    parameters, control);
+  SMC::Greedy_filter<ConcurrencyTag> filter(f.mesh, f.shapes, constraints, f.terminals, parameters, control);
   check(f.cut.empty() ? filter.run(f.candidates) : filter.run_on_disk(f.cut, f.candidates), "filtering");
   judge(filter);
 }

@@ -1,7 +1,8 @@
 #ifndef TEST_CHARTS_H
 #define TEST_CHARTS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/Random.h>
 
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace smp = CGAL::Surface_mesh_parameterization::internal;
+
+// The built-in ones.
+inline const smp::Simplicial_solver_source linear_solvers;
 
 // A chart over points, for tests.
 struct Test_surface

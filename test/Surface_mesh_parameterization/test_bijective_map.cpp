@@ -4,7 +4,7 @@
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -126,9 +126,9 @@ std::pair<std::vector<Vector2d>, bool> check_map(const Test_surface& surface)
   const Chart& chart = surface.chart;
   const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
   std::vector<Vector2d> plain, uv;
-  Chart_parameterizer<>(chart, surface.points, shapes).isometric_map(plain, Newton_options());
+  Chart_parameterizer(chart, surface.points, shapes, linear_solvers).isometric_map(plain, Newton_options());
   const Newton_result result
-    = bijective_map<Simplicial_solver>(chart, surface.points, shapes, uv, Newton_options());
+    = bijective_map(chart, surface.points, shapes, linear_solvers, uv, Newton_options());
   assert(result.outcome == Newton_outcome::CONVERGED || result.outcome == Newton_outcome::STALLED);
   assert(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
   const double plain_energy = energy(chart, shapes, plain);
@@ -148,7 +148,7 @@ void check_from_tutte(const Test_surface& surface)
   const Chart& chart = surface.chart;
   const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
   std::vector<Vector2d> start;
-  const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), start);
+  const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, start);
   assert(is_mapped && !has_crossing(chart, start));
   for(bool moves_scaffold : {false, true})
   {
@@ -156,7 +156,7 @@ void check_from_tutte(const Test_surface& surface)
     options.moves_scaffold = moves_scaffold;
     std::vector<Vector2d> uv = start;
     const Newton_result result
-      = Scaffold_minimization<Simplicial_solver>(chart, shapes, options)(uv);
+      = Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
     assert(result.energy < energy(chart, shapes, start));
     assert(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
   }
@@ -164,7 +164,7 @@ void check_from_tutte(const Test_surface& surface)
   Scaffold_options options;
   options.stop = [](const Newton_state&) { return true; };
   std::vector<Vector2d> uv = start;
-  const Newton_result result = Scaffold_minimization<Simplicial_solver>(chart, shapes, options)(uv);
+  const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
   assert(result.outcome == Newton_outcome::STOPPED && uv == start);
 }
 
@@ -183,7 +183,7 @@ void check_refinement(const Test_surface& surface)
     std::vector<Vector2d> stage_uv(stage.vertices.size());
     if(std::isinf(area))
     {
-      const bool is_mapped = tutte_map(stage.chart, stage.points, 1, stage_uv);
+      const bool is_mapped = tutte_map(stage.chart, stage.points, 1, linear_solvers, stage_uv);
       assert(is_mapped);
       for(std::size_t v = 0; v < stage_uv.size(); ++v)
         uv[stage.vertices[v]] = stage_uv[v];

@@ -1,7 +1,7 @@
 // Random openings of closed surfaces: the chart against a count from scratch, and closing bit for bit.
 
 #undef NDEBUG
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
 
 #include <CGAL/Random.h>
 

@@ -4,9 +4,9 @@
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 
 #include <cassert>
 #include <iostream>
@@ -127,7 +127,7 @@ void test_hierarchy(const Test_surface& surface)
 {
   std::vector<Eigen::Vector2d> uv;
   const bool is_mapped
-    = hierarchical_map<Energy, Simplicial_solver>(surface.chart, surface.points, uv) == Stages_outcome::MAPPED;
+    = hierarchical_map<Energy>(surface.chart, surface.points, linear_solvers, uv) == Stages_outcome::MAPPED;
   assert(is_mapped && count_flips(surface.chart.triangles(), uv) == 0);
 
   Chart_hierarchy hierarchy(surface.chart, surface.points);
@@ -139,7 +139,7 @@ void test_hierarchy(const Test_surface& surface)
   for(int v = 0; v < size; ++v)
     assert(stage.points[v] == surface.points[stage.vertices[v]]);
   std::vector<Eigen::Vector2d> stage_uv;
-  if(!tutte_map(stage.chart, stage.points, surface_area(stage.shapes), stage_uv))
+  if(!tutte_map(stage.chart, stage.points, surface_area(stage.shapes), linear_solvers, stage_uv))
     return; // a bad triangulation of a coarse stage
   uv.assign(surface.points.size(), Eigen::Vector2d::Zero());
   for(int v = 0; v < size; ++v)

@@ -1,7 +1,7 @@
 // The exact flip test against rational arithmetic.
 
 #undef NDEBUG
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>

@@ -23,15 +23,15 @@ struct Problem
     : surface(std::move(s)), shapes(rest_shapes(surface.chart.triangles(), surface.points)),
       weights(area_weights(shapes))
   {
-    const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), tutte);
+    const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), linear_solvers, tutte);
     assert(is_mapped);
     assert(count_flips(surface.chart.triangles(), tutte) == 0);
     assert(std::abs(chart_area(surface.chart.triangles(), tutte) - surface_area(shapes)) < 1e-12);
   }
 
-  Newton_solver<> solver(const std::vector<char>& is_fixed = {}) const
+  Newton_solver solver(const std::vector<char>& is_fixed = {}) const
   {
-    return Newton_solver<>(surface.chart.triangles(), surface.chart.number_of_vertices(), is_fixed);
+    return Newton_solver(surface.chart.triangles(), surface.chart.number_of_vertices(), linear_solvers, is_fixed);
   }
 };
 
@@ -39,7 +39,7 @@ template <typename Energy>
 void test_descent(const Problem& problem)
 {
   Map uv = problem.tutte;
-  Newton_solver<> solver = problem.solver();
+  Newton_solver solver = problem.solver();
   Newton_options options;
   options.maximum_iterations = 1;
   options.decrement = 1e-9;
@@ -67,7 +67,7 @@ void test_descent(const Problem& problem)
 void test_known_optimum(const Test_surface& surface)
 {
   const Problem problem(surface);
-  Chart_parameterizer<> parameterizer(surface.chart, surface.points, problem.shapes);
+  Chart_parameterizer parameterizer(surface.chart, surface.points, problem.shapes, linear_solvers);
   Newton_options options;
   options.decrement = 1e-12;
   Map uv;
@@ -93,7 +93,7 @@ void test_fixed_vertices(const Problem& problem, CGAL::Random& random)
   std::vector<char> is_fixed(uv.size(), 0);
   for(char& f : is_fixed)
     f = random.get_int(0, 4) == 0;
-  Newton_solver<> solver = problem.solver(is_fixed);
+  Newton_solver solver = problem.solver(is_fixed);
   const Newton_result result
     = solver.minimize<MIPS_energy>(problem.shapes, problem.weights, uv, Newton_options());
   assert(result.is_converged() && count_flips(problem.surface.chart.triangles(), uv) == 0);
@@ -101,7 +101,7 @@ void test_fixed_vertices(const Problem& problem, CGAL::Random& random)
     assert(!is_fixed[v] || uv[v] == problem.tutte[v]);
 
   is_fixed.assign(uv.size(), 1);
-  Newton_solver<> idle = problem.solver(is_fixed);
+  Newton_solver idle = problem.solver(is_fixed);
   const Map before = uv;
   const Newton_result none
     = idle.minimize<MIPS_energy>(problem.shapes, problem.weights, uv, Newton_options());
@@ -112,7 +112,7 @@ void test_fixed_vertices(const Problem& problem, CGAL::Random& random)
 void test_callback(const Problem& problem)
 {
   Map uv = problem.tutte;
-  Newton_solver<> solver = problem.solver();
+  Newton_solver solver = problem.solver();
   Newton_options options;
   std::vector<Newton_state> states;
   options.stop = [&](const Newton_state& state)
@@ -138,7 +138,7 @@ void test_invalid_start(const Problem& problem)
   Map uv = problem.tutte;
   for(Eigen::Vector2d& u : uv)
     u.x() = -u.x();
-  Newton_solver<> solver = problem.solver();
+  Newton_solver solver = problem.solver();
   const Newton_result result
     = solver.minimize<MIPS_energy>(problem.shapes, problem.weights, uv, Newton_options());
   assert(result.outcome == Newton_outcome::FAILED && result.iterations == 0);

@@ -1,15 +1,15 @@
 // The sparse system against a dense assembly, with fixed vertices; the flip barrier against
-// bisection; the linear solvers against each other.
+// bisection.
 
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flip_barrier.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
-
-#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
 #include <cassert>
 #include <cmath>
@@ -146,41 +146,6 @@ void test_roots()
   assert(std::abs(smallest_positive_root(1e-20, -1, 1) - 1e-20) < 1e-30); // no cancellation
 }
 
-template <typename LinearSolver>
-std::vector<Eigen::Vector2d> solve(const Test_surface& surface)
-{
-  const std::vector<Rest_shape> shapes = rest_shapes(surface.chart.triangles(), surface.points);
-  std::vector<Eigen::Vector2d> uv;
-  const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), uv);
-  assert(is_mapped);
-  Newton_solver<LinearSolver> solver(surface.chart.triangles(), surface.chart.number_of_vertices());
-  Newton_options options;
-  options.decrement = 1e-12;
-  const Newton_result result = solver.template minimize<Symmetric_Dirichlet_energy>(
-    shapes, area_weights(shapes), uv, options);
-  assert(result.is_converged());
-  return uv;
-}
-
-template <typename LinearSolver>
-void test_linear_solver(const Test_surface& surface, const std::vector<Eigen::Vector2d>& expected)
-{
-  const std::vector<Eigen::Vector2d> uv = solve<LinearSolver>(surface);
-  for(std::size_t v = 0; v < uv.size(); ++v)
-    assert((uv[v] - expected[v]).norm() < 1e-6);
-
-  // A matrix that is not positive definite is reported, by a failure or by what the solution is.
-  Sparse_matrix matrix(2, 2);
-  matrix.insert(0, 0) = 1;
-  matrix.insert(0, 1) = 2;
-  matrix.insert(1, 1) = 1;
-  matrix.makeCompressed();
-  LinearSolver solver;
-  solver.analyze(matrix);
-  const Eigen::Vector2d right(1, -1);
-  assert(!solver.factorize(matrix) || !(right.dot(solver.solve(right)) > 0));
-}
-
 int main()
 {
   CGAL::Random random(7);
@@ -194,15 +159,4 @@ int main()
       test_barrier(surface, random);
   }
   test_roots();
-
-  const Test_surface surface = make_hills(12, 12, random, true);
-  const std::vector<Eigen::Vector2d> uv = solve<Simplicial_solver>(surface);
-  using LDLT = CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > >;
-  using LLT = CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Eigen::SparseMatrix<double> > >;
-  test_linear_solver<Simplicial_solver>(surface, uv);
-  test_linear_solver<Traits_solver<LDLT> >(surface, uv);
-  test_linear_solver<Traits_solver<LLT> >(surface, uv);
-#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-  test_linear_solver<Supernodal_solver>(surface, uv);
-#endif
 }

@@ -5,8 +5,10 @@
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/remove_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/remove_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 
 #include <cassert>
 #include <cmath>
@@ -19,7 +21,7 @@ using Map = std::vector<Eigen::Vector2d>;
 double conformal_energy(const Test_surface& surface, const std::vector<Rest_shape>& shapes, Map& uv)
 {
   int flips = -1;
-  const bool is_mapped = spectral_conformal_map(surface.chart, shapes, uv, &flips);
+  const bool is_mapped = spectral_conformal_map(surface.chart, shapes, linear_solvers, uv, &flips);
   assert(is_mapped && flips == count_flips(surface.chart.triangles(), uv));
   assert(std::abs(chart_area(surface.chart.triangles(), uv) - surface_area(shapes)) < 1e-10);
   return area_average(shapes, face_energies<MIPS_energy>(shapes, surface.chart.triangles(), uv));
@@ -47,7 +49,7 @@ void test_repair(const Test_surface& surface, CGAL::Random& random)
   const std::vector<Triangle>& triangles = surface.chart.triangles();
   const std::vector<Rest_shape> shapes = rest_shapes(triangles, surface.points);
   Map uv;
-  const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), uv);
+  const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), linear_solvers, uv);
   assert(is_mapped);
   const Map valid = uv;
   bool is_repaired = remove_flips(surface.chart, surface.points, uv);

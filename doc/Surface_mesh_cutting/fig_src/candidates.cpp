@@ -6,9 +6,11 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/candidates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -42,13 +44,14 @@ int main(int argc, char** argv)
   const internal::Flat_mesh& flat = adapter.mesh();
   const auto shapes
     = CGAL::Surface_mesh_parameterization::internal::rest_shapes(flat.triangles(), flat.points());
-  const internal::Cutting_parameters parameters;
+  internal::Cutting_parameters parameters;
+  parameters.linear_solvers
+    = std::make_shared<CGAL::Surface_mesh_parameterization::internal::Simplicial_solver_source>();
   internal::Run_control control;
   const auto maximizers = [&](const std::vector<int>& path)
   {
     return internal::local_maximizers(
-      flat, internal::proxy_distortion<CGAL::Surface_mesh_parameterization::internal::Simplicial_solver>(
-              flat, shapes, internal::make_cut(flat, path), parameters, control));
+      flat, internal::proxy_distortion(flat, shapes, internal::make_cut(flat, path), parameters, control));
   };
 
   // The first start of `Feature_detector`.

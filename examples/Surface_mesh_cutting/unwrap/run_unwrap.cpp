@@ -6,12 +6,17 @@
 #include "make_layout.h"
 #include "stop_request.h"
 
+#include <CGAL/Default.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -216,8 +221,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
     return run_library(mesh, options, constraints, visitor, is_cut, uvs,
                        CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double> > >());
 #endif
-  return run_library(mesh, options, constraints, visitor, is_cut, uvs,
-                     CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > >());
+  return run_library(mesh, options, constraints, visitor, is_cut, uvs, CGAL::Default());
 }
 
 } // namespace

@@ -116,7 +116,7 @@ Handles_result<TriangleMesh> cut_handles(const TriangleMesh& tmesh, EdgeIsCutMap
   using parameters::get_parameter_reference;
 
   Default_visitor default_visitor;
-  auto&& visitor
+  internal::Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Run_control control = internal::read_run_control(visitor, np);
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/put_weights.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/Visibility.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
@@ -99,8 +100,7 @@ Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap
   const unsigned int seed = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::random_seed), 0u);
   Default_visitor default_visitor;
-  // One that is passed by value is copied: `np` hands out a temporary.
-  typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference
+  internal::Visitor_reference<NamedParameters>
     visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
                                            default_visitor);
   internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});

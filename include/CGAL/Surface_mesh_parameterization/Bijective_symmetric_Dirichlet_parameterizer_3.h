@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Free_border_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 
 #include <CGAL/Default.h>
 
@@ -29,11 +29,11 @@ namespace internal {
 
 struct Bijective_method
 {
-  template <typename LinearSolver>
   static Newton_result map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
-                           const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv)
+                           const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                           std::vector<Eigen::Vector2d>& uv)
   {
-    return bijective_map<LinearSolver>(chart, points, shapes, uv, Newton_options());
+    return bijective_map(chart, points, shapes, linear_solvers, uv, Newton_options());
   }
   static bool is_valid(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
   {
@@ -70,17 +70,21 @@ struct Bijective_method
 /// \cgalModels{Parameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
-/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver
-///         takes symmetric positive definite systems.<br>
-///         <b>%Default:</b> `Eigen::SimplicialLDLT` with a single ordering for all iterations.
-///         Requires Eigen 3.3 (or greater).
+/// \tparam SolverTraits_ is the type of the solver of the sparse symmetric positive definite systems,
+///         see `Free_border_parameterizer_3`.<br>
+///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
+///         iterations. Eigen 3.3 (or greater) is required.
 ///
 /// \sa `Symmetric_Dirichlet_parameterizer_3`
 /// \sa `compute_symmetric_Dirichlet_energy()`
 template <typename TriangleMesh_, typename SolverTraits_ = Default>
 class Bijective_symmetric_Dirichlet_parameterizer_3
   : public Free_border_parameterizer_3<TriangleMesh_, SolverTraits_, internal::Bijective_method>
-{};
+{
+public:
+  using Free_border_parameterizer_3<TriangleMesh_, SolverTraits_,
+                                    internal::Bijective_method>::Free_border_parameterizer_3;
+};
 
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL

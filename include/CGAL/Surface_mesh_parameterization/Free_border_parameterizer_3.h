@@ -14,38 +14,26 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Mesh_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
-#include <CGAL/Default.h>
 #include <CGAL/use.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-
-// The linear solver that the template parameter of a parameterizer stands for.
-template <typename SolverTraits>
-struct Linear_solver_of
-{
-  using type = Traits_solver<SolverTraits>;
-};
-template <>
-struct Linear_solver_of<Default>
-{
-  using type = Simplicial_solver;
-};
 
 // What methods have in common that promise a map without flips, but not without overlaps.
 struct Flip_free_method
@@ -67,10 +55,13 @@ struct Flip_free_method
 /// \cgalModels{Parameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
-/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver
-///         takes symmetric positive definite systems.<br>
-///         <b>%Default:</b> `Eigen::SimplicialLDLT` with a single ordering for all iterations.
-///         Requires Eigen 3.3 (or greater).
+/// \tparam SolverTraits_ is the type of the solver of the sparse symmetric positive definite systems:
+///         a class with the member functions `analyzePattern()`, `factorize()`, `solve()`, and `info()`
+///         of \eigen's direct sparse solvers, or a model of `SparseLinearAlgebraWithFactorTraits_d`, for example
+///         `CGAL::Eigen_solver_traits` of a direct solver. A solver that cannot be copied comes as
+///         `std::reference_wrapper`.<br>
+///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
+///         iterations. Eigen 3.3 (or greater) is required.
 /// \tparam Method_ is chosen by the derived class.
 ///
 /// \sa `MIPS_parameterizer_3`
@@ -85,6 +76,20 @@ public:
 
   /// %Halfedge type of the mesh
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  /// Solver type, `CGAL::Default` for the default solver
+  using Solver_traits = SolverTraits_;
+
+  /// Constructor
+  ///
+  /// \param solver solves all sparse systems, as it is set up. If it has the interface of \eigen, each system
+  ///        is solved by a copy of it; given as `std::reference_wrapper`, or if it is a model of
+  ///        `SparseLinearAlgebraWithFactorTraits_d`, it solves one system at a time, also for copies of the
+  ///        parameterizer. The symbolic analysis is kept while the values of a matrix change. The unknowns
+  ///        come in an order that keeps the factors sparse.
+  explicit Free_border_parameterizer_3(const Solver_traits& solver = Solver_traits())
+    : m_linear_solvers(internal::make_linear_solver_source(solver))
+  {}
 
   /// computes a map from the connected component of `bhd` to the plane.
   ///
@@ -123,8 +128,6 @@ public:
                           VertexParameterizedMap vpmap)
   {
     CGAL_USE(vimap);
-    using Linear_solver = typename internal::Linear_solver_of<SolverTraits_>::type;
-
     internal::Mesh_chart<TriangleMesh> component;
     const Error_code error = component.read(mesh, bhd);
     if(error != OK)
@@ -133,12 +136,15 @@ public:
       = internal::rest_shapes(component.chart().triangles(), component.points());
     std::vector<Eigen::Vector2d> uv;
     const internal::Newton_result result
-      = Method_::template map<Linear_solver>(component.chart(), component.points(), shapes, uv);
+      = Method_::map(component.chart(), component.points(), shapes, *m_linear_solvers, uv);
     if(result.outcome != internal::Newton_outcome::FAILED)
       return component.write(std::move(uv), uvmap, vpmap, &Method_::is_valid);
     // Without a factorization there was no map to start from.
     return result.iterations == 0 ? ERROR_NO_1_TO_1_MAPPING : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
+
+private:
+  std::shared_ptr<const internal::Linear_solver_source> m_linear_solvers;
 };
 
 } // namespace Surface_mesh_parameterization

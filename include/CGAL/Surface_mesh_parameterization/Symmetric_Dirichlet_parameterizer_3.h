@@ -29,11 +29,11 @@ namespace internal {
 
 struct Isometric_method : Flip_free_method
 {
-  template <typename LinearSolver>
   static Newton_result map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
-                           const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv)
+                           const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                           std::vector<Eigen::Vector2d>& uv)
   {
-    return Chart_parameterizer<LinearSolver>(chart, points, shapes).isometric_map(uv, Newton_options());
+    return Chart_parameterizer(chart, points, shapes, linear_solvers).isometric_map(uv, Newton_options());
   }
 };
 
@@ -64,10 +64,10 @@ struct Isometric_method : Flip_free_method
 /// \cgalModels{Parameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
-/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraWithFactorTraits_d` whose solver
-///         takes symmetric positive definite systems.<br>
-///         <b>%Default:</b> `Eigen::SimplicialLDLT` with a single ordering for all iterations.
-///         Requires Eigen 3.3 (or greater).
+/// \tparam SolverTraits_ is the type of the solver of the sparse symmetric positive definite systems,
+///         see `Free_border_parameterizer_3`.<br>
+///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
+///         iterations. Eigen 3.3 (or greater) is required.
 ///
 /// \sa `MIPS_parameterizer_3`
 /// \sa `Bijective_symmetric_Dirichlet_parameterizer_3`
@@ -75,7 +75,11 @@ struct Isometric_method : Flip_free_method
 template <typename TriangleMesh_, typename SolverTraits_ = Default>
 class Symmetric_Dirichlet_parameterizer_3
   : public Free_border_parameterizer_3<TriangleMesh_, SolverTraits_, internal::Isometric_method>
-{};
+{
+public:
+  using Free_border_parameterizer_3<TriangleMesh_, SolverTraits_,
+                                    internal::Isometric_method>::Free_border_parameterizer_3;
+};
 
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL

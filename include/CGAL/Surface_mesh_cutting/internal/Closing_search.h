@@ -52,8 +52,8 @@ public:
   // Among what may cost at most `allowed_cost(length)`, the longest part of known cost, otherwise the one with
   // the smallest gap per length. The tip is -1 if there is none. Branches end at `features`, if not before;
   // those with the tip at a vertex with `is_kept` stay.
-  template <typename LinearSolver, typename AllowedCost>
-  Closing best(const Running_map<LinearSolver>& map, const std::vector<int>& features,
+  template <typename AllowedCost>
+  Closing best(const Running_map& map, const std::vector<int>& features,
                const std::vector<char>& is_kept, AllowedCost allowed_cost) const
   {
     std::vector<char> is_end(m_mesh.number_of_vertices(), 0);

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Cut.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart_hierarchy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_hierarchy.h>
 
 #include <vector>
 

@@ -33,10 +33,10 @@ namespace internal {
 // The whole method for one connected surface (paper, Section 3): handles, features, connection and,
 // on request, refinement and UVs. The features of a large surface are found on a coarser version
 // of it, at a cost that no longer grows with the surface, and connected on the surface itself.
-template <typename LinearSolver, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 class Component_cutter
 {
-  using Refiner = Cut_refiner<LinearSolver, ConcurrencyTag>;
+  using Refiner = Cut_refiner<ConcurrencyTag>;
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
 
@@ -185,9 +185,9 @@ private:
                                      Component_result& result)
   {
     Detected_features detected
-      = Feature_detector<LinearSolver, ConcurrencyTag>(resolution.mesh, resolution.shapes, m_is_sphere,
-                                                       resolution.constraints, resolution.terminals, m_initial,
-                                                       parameters, m_control, m_clock).run(start);
+      = Feature_detector<ConcurrencyTag>(resolution.mesh, resolution.shapes, m_is_sphere,
+                                         resolution.constraints, resolution.terminals, m_initial,
+                                         parameters, m_control, m_clock).run(start);
     result.status = detected.status;
     result.candidates = detected.number_of_candidates;
     result.add(detected.trade_offs);
@@ -378,8 +378,8 @@ private:
   {
     const Phase_clock::Measurement measurement(m_clock, Phase::PARAMETERIZE);
     result.chart = refiner.chart().chart;
-    const Newton_result newton = final_map<LinearSolver>(m_fine.mesh, m_fine.shapes, refiner.chart(),
-                                                         m_parameters.do_bijective, m_control, result.uv);
+    const Newton_result newton
+      = final_map(m_fine.mesh, m_fine.shapes, refiner.chart(), m_parameters, m_control, result.uv);
     result.energy = newton.energy;
     result.has_map = newton.outcome != Newton_outcome::FAILED;
     if(!result.has_map || m_control.is_stopped())

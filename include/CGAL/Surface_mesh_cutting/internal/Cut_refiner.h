@@ -54,7 +54,7 @@ struct Refinement_limits
 // Improves a connected cut under the measure of its own map: slits are opened until the distortion
 // is as low as asked for, and pieces that contribute little for their length are dropped. Every
 // state is a valid cut with a flip-free map.
-template <typename LinearSolver, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 class Cut_refiner
 {
 public:
@@ -63,7 +63,8 @@ public:
   Cut_refiner(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
               const std::vector<int>& terminals, const Cutting_parameters& parameters, Run_control& control)
     : m_mesh(mesh), m_constraints(constraints), m_terminals(terminals), m_parameters(parameters),
-      m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints), m_map(mesh, shapes, mapping_policy(parameters), control)
+      m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints),
+      m_map(mesh, shapes, mapping_policy(parameters), control)
   {}
 
   // Connects the features; call first.
@@ -312,9 +313,9 @@ private:
   const std::vector<int>& m_terminals;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;
-  Slit_search<LinearSolver> m_slits;
+  Slit_search m_slits;
   Closing_search m_closings;
-  Running_map<LinearSolver> m_map;
+  Running_map m_map;
   std::vector<int> m_features;
   Connected_cut m_tree;
   bool m_is_connected = false;

@@ -16,10 +16,13 @@
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -53,6 +56,8 @@ struct Cutting_parameters
   // budget; most trees are proven optimal within this one.
   std::size_t number_of_states_while_refining = 500000;
   unsigned int random_seed = 0;
+  // For the sparse systems of all maps; not needed where nothing is mapped.
+  std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
 
   // Of the search for a long path: the paper starts at a random vertex.
   int number_of_sweeps() const { return is_faithful ? 1 : 2; }

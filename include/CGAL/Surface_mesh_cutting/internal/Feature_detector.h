@@ -51,7 +51,7 @@ struct Detected_features
 // 0 is treated as in the paper. Any other one is opened first, along loops that cut its handles
 // and a tree that connects these and its borders; the same is done with a cut that was given. That
 // leaves a disk, against which the candidates are judged.
-template <typename LinearSolver, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 class Feature_detector
 {
 public:
@@ -99,8 +99,8 @@ private:
       opening = std::move(connection.cut);
     }
     std::vector<Candidate> candidates
-      = is_closed() ? find_candidates<LinearSolver>(m_mesh, m_shapes, start, m_parameters, m_control)
-                    : find_candidates_of_disk<LinearSolver>(m_mesh, m_shapes, opening, m_parameters, m_control);
+      = is_closed() ? find_candidates(m_mesh, m_shapes, start, m_parameters, m_control)
+                    : find_candidates_of_disk(m_mesh, m_shapes, opening, m_parameters, m_control);
     result.number_of_candidates = int(candidates.size());
     if(m_control.is_stopped())
       result.status = failure(m_control);
@@ -113,8 +113,7 @@ private:
     keep_connectable(candidates);
     if(is_closed())
       add_far_vertices(start, candidates);
-    Greedy_filter<LinearSolver, ConcurrencyTag> filter(m_mesh, m_shapes, m_constraints, m_terminals, m_parameters,
-                                                       m_control);
+    Greedy_filter<ConcurrencyTag> filter(m_mesh, m_shapes, m_constraints, m_terminals, m_parameters, m_control);
     if(is_closed() ? filter.run(candidates) : filter.run_on_disk(opening, candidates))
       result.features = filter.features();
     else

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
 

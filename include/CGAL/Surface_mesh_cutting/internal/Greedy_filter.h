@@ -31,7 +31,7 @@ namespace internal {
 // Chooses among the candidates (paper, Section 3.1.2): one after the other is connected to the cut,
 // and stays if this lowers the distortion by more than epsilon_iso. Terminals stay in any case. No
 // forbidden edge is opened; candidates that only such edges lead to are passed over.
-template <typename LinearSolver, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 class Greedy_filter
 {
 public:
@@ -39,8 +39,8 @@ public:
                 const Edge_constraints& constraints, const std::vector<int>& terminals,
                 const Cutting_parameters& parameters, Run_control& control)
     : m_mesh(mesh), m_constraints(constraints), m_parameters(parameters), m_control(control), m_disks(mesh),
-      m_paths(mesh.graph()), m_maps(mesh, shapes, mapping_policy(parameters), control), m_is_on_cut(mesh.number_of_vertices(), 0),
-      m_is_terminal(mesh.number_of_vertices(), 0)
+      m_paths(mesh.graph()), m_maps(mesh, shapes, mapping_policy(parameters), control),
+      m_is_on_cut(mesh.number_of_vertices(), 0), m_is_terminal(mesh.number_of_vertices(), 0)
   {
     for(int v : terminals)
       m_is_terminal[v] = 1;
@@ -66,7 +66,7 @@ public:
   }
 
   const std::vector<int>& features() const { return m_features; }
-  const Running_map<LinearSolver>& map() const { return m_maps.map(); }
+  const Running_map& map() const { return m_maps.map(); }
   // The cuts that were accepted, each containing the one before.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
@@ -310,7 +310,7 @@ private:
   Run_control& m_control;
   Candidate_disks m_disks;
   Shortest_paths m_paths;
-  Speculative_map<LinearSolver, ConcurrencyTag> m_maps;
+  Speculative_map<ConcurrencyTag> m_maps;
   std::vector<char> m_is_on_cut, m_is_terminal; // per vertex
   std::vector<int> m_features;
   std::vector<Trade_off> m_trade_offs;

@@ -23,11 +23,15 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::First_map;
+using Surface_mesh_parameterization::internal::Linear_solver_source;
 using Surface_mesh_parameterization::internal::Newton_options;
 
 // How maps are solved while cuts are compared.
 struct Mapping_policy
 {
+  explicit Mapping_policy(const Linear_solver_source& source) : linear_solvers(source) {}
+
+  const Linear_solver_source& linear_solvers;
   First_map first_map = First_map::HIERARCHY;
   // See `Newton_options::decrement`. An accuracy well below epsilon_iso suffices: what the last step leaves
   // is far less than the decrement before it.
@@ -40,7 +44,7 @@ struct Mapping_policy
 // The paper starts from Tutte's embedding (Section 3.4) and solves each map to the end (Section 4).
 inline Mapping_policy mapping_policy(const Cutting_parameters& parameters)
 {
-  Mapping_policy policy;
+  Mapping_policy policy(*parameters.linear_solvers);
   if(parameters.is_faithful)
   {
     policy.first_map = First_map::TUTTE;

@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Map_measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
 
@@ -61,7 +61,7 @@ enum class Goal { FEATURES, CUT, MAP };
 
 // Runs the method on each component that the mandatory edges leave and puts the parts together. What
 // is mandatory is opened first: it is border from then on, which the connection takes for connected.
-template <typename LinearSolver, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 class Mesh_cutter
 {
 public:
@@ -168,8 +168,8 @@ private:
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
     parameters.decrease_per_length /= diagonal;
     const Initial_cut initial(component.restriction(m_constraints.initial));
-    Component_cutter<LinearSolver, ConcurrencyTag> cutter(component, constraints, terminals, initial, parameters,
-                                                          m_control, m_clock);
+    Component_cutter<ConcurrencyTag> cutter(component, constraints, terminals, initial, parameters, m_control,
+                                            m_clock);
     return goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
   }
 

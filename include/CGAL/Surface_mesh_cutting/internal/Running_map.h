@@ -48,7 +48,6 @@ struct Open_chart
 
 // The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
 // stays flip-free and keeps its energy, so that every solve starts warm.
-template <typename LinearSolver>
 class Running_map
 {
 public:
@@ -73,7 +72,7 @@ public:
     m_state.chart = make_chart(m_mesh, cut);
     m_state.energy = std::numeric_limits<double>::infinity();
     m_state.precision = std::numeric_limits<double>::infinity();
-    Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
+    Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes, m_policy.linear_solvers);
     Newton_options o = options();
     o.decrement = precision;
     const auto map_from = [&](First_map first_map)
@@ -146,7 +145,8 @@ public:
     if(may_start_anew && result.outcome == Newton_outcome::ITERATION_LIMIT && result.energy <= hopeless_energy)
     {
       std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
-      Chart_parameterizer<LinearSolver> parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes);
+      Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes,
+                                        m_policy.linear_solvers);
       const Newton_result cold = parameterizer.isometric_map(m_state.uv, options());
       if(cold.energy < result.energy)
         result = cold;
@@ -298,8 +298,8 @@ private:
 
   Newton_result solve(const Newton_options& o)
   {
-    Newton_solver<LinearSolver> solver(m_state.chart.triangles(), m_state.chart.number_of_vertices());
-    return solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
+    Newton_solver solver(m_state.chart.triangles(), m_state.chart.number_of_vertices(), m_policy.linear_solvers);
+    return solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
   }
 
   // Finds the triangles that touch the window: the vertices within `radius` of the slit are free, all
@@ -370,8 +370,8 @@ private:
       m_local_vertex[v] = -1;
     }
 
-    Newton_solver<LinearSolver> solver(std::move(triangles), int(vertices.size()), std::move(is_fixed));
-    const double before = solver.template energy<Symmetric_Dirichlet_energy>(shapes, weights, uv);
+    Newton_solver solver(std::move(triangles), int(vertices.size()), m_policy.linear_solvers, std::move(is_fixed));
+    const double before = solver.energy<Symmetric_Dirichlet_energy>(shapes, weights, uv);
     // An estimate needs about a tenth of the gain.
     Newton_options o;
     o.stop = [&](const Newton_state& s)
@@ -380,7 +380,7 @@ private:
       return gain_so_far + before - s.energy > threshold || s.decrement < tolerance ||
              !go_further();
     };
-    const Newton_result result = solver.template minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
+    const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
     for(std::size_t i = 0; i < vertices.size(); ++i)
       m_state.uv[vertices[i]] = uv[i];
     return before - result.energy;

@@ -40,7 +40,6 @@ struct Slit
 // distortion is large and the cut is far: there is distortion all along the way. The few most
 // promising ones are tried among the local maximizers of the distortion and of that product; the
 // former may all lie on the cut.
-template <typename LinearSolver>
 class Slit_search
 {
 public:
@@ -49,7 +48,7 @@ public:
   {}
 
   // `is_excluded` holds, per vertex, where no slit may end. The tip is -1 if there is none.
-  Slit best(Running_map<LinearSolver>& map, const std::vector<char>& is_excluded)
+  Slit best(Running_map& map, const std::vector<char>& is_excluded)
   {
     constexpr std::size_t number_of_trials = 12;
     measure_distances(map.cut());

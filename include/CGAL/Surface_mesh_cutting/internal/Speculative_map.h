@@ -32,7 +32,7 @@ namespace internal {
 // as it is; so, with several threads, further ones are tried meanwhile on copies of the map, as if those
 // before were rejected. A trial is abandoned once one before it turns out to be useful. The outcome is
 // that of one thread, to the last bit.
-template <typename LinearSolver, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 class Speculative_map
 {
   static constexpr int none = (std::numeric_limits<int>::max)();
@@ -52,7 +52,7 @@ public:
     return m_copies[m_current].initialize(cut);
   }
 
-  const Running_map<LinearSolver>& map() const { return m_copies[m_current]; }
+  const Running_map& map() const { return m_copies[m_current]; }
 
   // Opens the first useful slit. `proposal(i)` points to the i-th one, its `path` and the `least_gain` that
   // makes it useful, or is null if the next proposal depends on pending ones; it is called in order, by one
@@ -123,7 +123,7 @@ private:
   }
 
   Run_control& m_control;
-  std::deque<Running_map<LinearSolver> > m_copies;
+  std::deque<Running_map> m_copies;
   std::size_t m_current = 0; // the copy that is the map
   bool m_are_equal = false;
   std::vector<int> m_trials; // of each copy, the one in work or the latest

@@ -20,8 +20,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/remove_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/remove_flips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +33,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::Chart_parameterizer;
+using Surface_mesh_parameterization::internal::Linear_solver_source;
 using Surface_mesh_parameterization::internal::Newton_options;
 using Surface_mesh_parameterization::internal::Newton_outcome;
 using Surface_mesh_parameterization::internal::Newton_result;
@@ -56,17 +57,19 @@ inline std::vector<Point> chart_points(const Flat_mesh& mesh, const Chart& chart
 }
 
 // An as-conformal-as-possible map without flips. False if none was found or the run was stopped.
-template <typename LinearSolver>
-bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Chart& chart,
-                   const Cutting_parameters& parameters, Run_control& control, std::vector<Eigen::Vector2d>& uv)
+inline bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Chart& chart,
+                          const Cutting_parameters& parameters, Run_control& control,
+                          std::vector<Eigen::Vector2d>& uv)
 {
   using namespace Surface_mesh_parameterization::internal;
   const std::vector<Point> points = chart_points(mesh, chart);
   int flips = 0;
-  if(parameters.conformal_solver == Conformal_solver::SPECTRAL && spectral_conformal_map(chart, shapes, uv, &flips) &&
+  const Linear_solver_source& linear_solvers = *parameters.linear_solvers;
+  if(parameters.conformal_solver == Conformal_solver::SPECTRAL &&
+     spectral_conformal_map(chart, shapes, linear_solvers, uv, &flips) &&
      (flips == 0 || remove_flips(chart, points, uv)))
     return control.go_further();
-  Chart_parameterizer<LinearSolver> parameterizer(chart, points, shapes);
+  Chart_parameterizer parameterizer(chart, points, shapes, linear_solvers);
   Newton_options options;
   if(!parameters.is_faithful)
     options.decrement = 1e-4; // where the map is distorted shows long before
@@ -77,14 +80,14 @@ bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
 
 // The isometric distortion of an as-conformal-as-possible map of the surface opened along `cut`, per
 // vertex (paper, Equation (3)). Empty if no flip-free map was found or the run was stopped.
-template <typename LinearSolver>
-std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Cut& cut,
-                                     const Cutting_parameters& parameters, Run_control& control)
+inline std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                            const Cut& cut, const Cutting_parameters& parameters,
+                                            Run_control& control)
 {
   using namespace Surface_mesh_parameterization::internal;
   const Chart chart = make_chart(mesh, cut);
   std::vector<Eigen::Vector2d> uv;
-  if(!conformal_map<LinearSolver>(mesh, shapes, chart, parameters, control, uv))
+  if(!conformal_map(mesh, shapes, chart, parameters, control, uv))
     return {};
   return vertex_averages(shapes, mesh.triangles(),
                          face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv),
@@ -244,12 +247,11 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, int start, const std::
 
 // The candidates of a surface that is a disk already, or is opened to one along `cut` in any case.
 // What lies on its border is not a candidate.
-template <typename LinearSolver>
-std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                                               const Cut& cut, const Cutting_parameters& parameters,
-                                               Run_control& control)
+inline std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                                      const Cut& cut, const Cutting_parameters& parameters,
+                                                      Run_control& control)
 {
-  const std::vector<double> distortion = proxy_distortion<LinearSolver>(mesh, shapes, cut, parameters, control);
+  const std::vector<double> distortion = proxy_distortion(mesh, shapes, cut, parameters, control);
   control.report(Phase::CANDIDATES, 1);
   if(distortion.empty())
     return {};
@@ -262,13 +264,12 @@ std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std:
 
 // The redundant set of candidates by the dual cutting strategy (paper, Section 3.1.1). Empty if a
 // map failed or the run was stopped.
-template <typename LinearSolver>
-std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                                       int start, const Cutting_parameters& parameters, Run_control& control)
+inline std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                                              int start, const Cutting_parameters& parameters, Run_control& control)
 {
   const std::vector<int> first = path_to_farthest_vertex(mesh, start, parameters.number_of_sweeps());
   const std::vector<double> first_distortion
-    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, first), parameters, control);
+    = proxy_distortion(mesh, shapes, make_cut(mesh, first), parameters, control);
   control.report(Phase::CANDIDATES, 0.5);
   if(first_distortion.empty())
     return {};
@@ -277,7 +278,7 @@ std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<
   if(control.is_stopped())
     return {};
   std::vector<double> distortion
-    = proxy_distortion<LinearSolver>(mesh, shapes, make_cut(mesh, second), parameters, control);
+    = proxy_distortion(mesh, shapes, make_cut(mesh, second), parameters, control);
   control.report(Phase::CANDIDATES, 1);
   if(control.is_stopped())
     return {};

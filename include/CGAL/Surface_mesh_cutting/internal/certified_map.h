@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Rounding_repair.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Scaffold.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Rounding_repair.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold.h>
 
 #include <utility>
 #include <vector>

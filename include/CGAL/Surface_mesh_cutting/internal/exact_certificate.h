@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Border_overlaps.h>
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 
 #include <Eigen/Core>
 

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 
 #include <vector>
 
@@ -26,12 +26,13 @@ namespace internal {
 
 // The map to return in `uv`: the running one, converged if it is not yet, and on request made
 // bijective.
-template <typename LinearSolver>
-Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Open_chart& running,
-                        bool do_bijective, Run_control& control, std::vector<Eigen::Vector2d>& uv)
+inline Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+                               const Open_chart& running, const Cutting_parameters& parameters,
+                               Run_control& control, std::vector<Eigen::Vector2d>& uv)
 {
   Newton_options options;
   options.stop = [&control](const Newton_state&) { return !control.go_further(); };
+  const Linear_solver_source& linear_solvers = *parameters.linear_solvers;
   const std::vector<Eigen::Vector3d> points = chart_points(mesh, running.chart);
   Newton_result result;
   uv = running.uv;
@@ -41,11 +42,12 @@ Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& sh
     result.energy = running.energy;
   }
   else
-    result = Chart_parameterizer<LinearSolver>(running.chart, points, shapes).improve_isometrically(uv, options);
-  if(!do_bijective)
+    result
+      = Chart_parameterizer(running.chart, points, shapes, linear_solvers).improve_isometrically(uv, options);
+  if(!parameters.do_bijective)
     return result;
-  return Surface_mesh_parameterization::internal::make_bijective<LinearSolver>(running.chart, points, shapes, uv,
-                                                                               result, options);
+  return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, shapes, linear_solvers,
+                                                                 uv, result, options);
 }
 
 } // namespace internal

@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Connected_parts.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
 #include <Eigen/Geometry>
 

@@ -20,15 +20,11 @@
 #include <CGAL/Surface_mesh_cutting/internal/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solvers.h>
-
-#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 
 #include <cmath>
 #include <limits>
 #include <string>
-#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -146,32 +142,6 @@ inline Flat_status check_parameters(const Cutting_parameters& p)
   return Flat_status();
 }
 
-// The engine's solver for what `sparse_linear_solver` gives, a model of CGAL's
-// `SparseLinearAlgebraTraits_d`: the engine drives the solvers it knows without copying matrices.
-template <typename SolverTraits>
-struct Engine_solver
-{
-  using type = Surface_mesh_parameterization::internal::Traits_solver<SolverTraits>;
-};
-template <typename Matrix, int UpLo, typename Ordering>
-struct Engine_solver<Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix, UpLo, Ordering> > >
-{
-  using type = Surface_mesh_parameterization::internal::Simplicial_solver;
-};
-#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-template <typename Matrix, int UpLo>
-struct Engine_solver<Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix, UpLo> > >
-{
-  using type = Surface_mesh_parameterization::internal::Supernodal_solver;
-};
-#endif
-
-using Default_solver_traits = Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > >;
-
-template <typename NamedParameters>
-using Engine_solver_of = typename Engine_solver<std::decay_t<
-  typename internal_np::Lookup_named_param_def<internal_np::sparse_linear_solver_t, NamedParameters,
-                                               Default_solver_traits>::type> >::type;
 
 } // namespace internal
 } // namespace Surface_mesh_cutting

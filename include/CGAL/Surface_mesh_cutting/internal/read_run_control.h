@@ -17,12 +17,19 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <chrono>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+// How the visitor is held: one that was passed by value is copied, since `get_parameter_reference()` hands out
+// a temporary.
+template <typename NamedParameters>
+using Visitor_reference
+  = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
 
 // Calls the visitor, and ends the run once `maximum_running_time` has passed. The time starts here:
 // each call makes its control before it does anything else.

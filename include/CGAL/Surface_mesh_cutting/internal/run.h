@@ -20,6 +20,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+
+#include <CGAL/Default.h>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
@@ -71,13 +75,16 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
   Phase_clock clock;
   Unwrap_result<TriangleMesh> result;
   Default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  Visitor_reference<NamedParameters> visitor
+    = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   Run_control control = read_run_control(visitor, np);
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   const Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
-  const Request request = read_request(np);
+  Request request = read_request(np);
+  request.parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
+    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()));
 
   Flat_status status = adapter.status();
   if(status)
@@ -88,8 +95,7 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
   if(status)
   {
     const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
-    Mesh_cutter<Engine_solver_of<NamedParameters>, ConcurrencyTag> cutter(adapter.mesh(), round, constraints, request,
-                                                                          control, clock);
+    Mesh_cutter<ConcurrencyTag> cutter(adapter.mesh(), round, constraints, request, control, clock);
     const Mesh_result found = cutter.run(goal);
     status.finding = found.status.finding;
     status.warnings.insert(status.warnings.end(), found.status.warnings.begin(), found.status.warnings.end());

@@ -14,12 +14,14 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 
 #include <Eigen/Core>
 
@@ -44,15 +46,14 @@ constexpr double hopeless_energy = 100;
 
 // Flip-free maps of one chart: from nothing, or better ones from a given one. Keeps what does not
 // change between solves: shapes, weights and the symbolic factorization.
-template <typename LinearSolver = Simplicial_solver>
 class Chart_parameterizer
 {
 public:
   // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat.
   Chart_parameterizer(const Chart& chart, std::vector<Eigen::Vector3d> points,
-                      const std::vector<Rest_shape>& shapes)
+                      const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers)
     : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
-      m_solver(chart.triangles(), chart.number_of_vertices())
+      m_linear_solvers(linear_solvers), m_solver(chart.triangles(), chart.number_of_vertices(), linear_solvers)
   {}
 
   // As conformal as possible, free border: KP-Newton on the MIPS energy. The result has the surface's area.
@@ -67,7 +68,7 @@ public:
 
   Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
-    const Newton_result result = m_solver.template minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
+    const Newton_result result = m_solver.minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
     if(result.outcome != Newton_outcome::FAILED)
       scale_to_area(m_chart.triangles(), surface_area(m_shapes), uv);
     return result;
@@ -95,17 +96,18 @@ public:
     const double scale = best_scale(m_shapes, m_chart.triangles(), uv);
     for(Eigen::Vector2d& u : uv)
       u *= scale;
-    return m_solver.template minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
+    return m_solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
   }
 
 private:
   template <typename Energy>
   bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map) const
   {
-    const auto map_by_tutte = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), uv); };
+    const auto map_by_tutte
+      = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), m_linear_solvers, uv); };
     if(first_map == First_map::TUTTE && map_by_tutte())
       return true;
-    const Stages_outcome outcome = hierarchical_map<Energy, LinearSolver>(m_chart, m_points, uv, options.stop);
+    const Stages_outcome outcome = hierarchical_map<Energy>(m_chart, m_points, m_linear_solvers, uv, options.stop);
     return outcome == Stages_outcome::MAPPED ||
            (outcome == Stages_outcome::FAILED && first_map != First_map::TUTTE && map_by_tutte());
   }
@@ -114,7 +116,8 @@ private:
   std::vector<Eigen::Vector3d> m_points;
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
-  Newton_solver<LinearSolver> m_solver;
+  const Linear_solver_source& m_linear_solvers;
+  Newton_solver m_solver;
 };
 
 } // namespace internal

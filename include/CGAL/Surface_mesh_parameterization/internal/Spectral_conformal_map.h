@@ -14,18 +14,19 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -39,7 +40,7 @@ namespace internal {
 class Spectral_conformal_map
 {
   using Complex = std::complex<double>;
-  using Matrix = Eigen::SparseMatrix<Complex>;
+  using Matrix = Hermitian_solver::Matrix;
 
 public:
   Spectral_conformal_map(const Chart& chart, const std::vector<Rest_shape>& shapes)
@@ -52,7 +53,7 @@ public:
   }
 
   // False if the factorization fails.
-  bool solve()
+  bool solve(const Linear_solver_source& linear_solvers)
   {
     constexpr int maximum_iterations = 50;
     constexpr double tolerance = 1e-4;
@@ -63,15 +64,15 @@ public:
     const double shift = relative_shift * m_energy.diagonal().real().sum() / m_masses.sum();
     Matrix shifted = m_energy;
     shifted += Matrix((shift * m_masses).cast<Complex>().asDiagonal());
-    const Eigen::SimplicialLDLT<Matrix> solver(shifted);
-    if(solver.info() != Eigen::Success)
+    const std::unique_ptr<Hermitian_solver> solver = linear_solvers.make_hermitian_solver();
+    if(!solver->factorize(shifted))
       return false;
 
     normalize();
     for(int i = 0; i < maximum_iterations; ++i)
     {
       const Eigen::VectorXcd former = m_map;
-      m_map = solver.solve(Eigen::VectorXcd(m_masses.cwiseProduct(former)));
+      m_map = solver->solve(Eigen::VectorXcd(m_masses.cwiseProduct(former)));
       normalize();
       const double overlap = std::abs(m_map.dot(m_masses.cwiseProduct(former)));
       if(!(1 - overlap > tolerance * tolerance))
@@ -152,10 +153,11 @@ private:
 // receives how many triangles are flipped: usually none or a few, which `remove_flips()` puts
 // right, but several per cent where the map folds. False if there is no map of positive area.
 inline bool spectral_conformal_map(const Chart& chart, const std::vector<Rest_shape>& shapes,
-                                   std::vector<Eigen::Vector2d>& uv, int* number_of_flips = nullptr)
+                                   const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
+                                   int* number_of_flips = nullptr)
 {
   Spectral_conformal_map map(chart, shapes);
-  if(!map.solve())
+  if(!map.solve(linear_solvers))
     return false;
   uv.resize(chart.number_of_vertices());
   for(int v = 0; v < chart.number_of_vertices(); ++v)

@@ -14,13 +14,14 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -53,7 +54,8 @@ inline void map_border_to_circle(const Chart& chart, const std::vector<int>& loo
 // border; rounding can spoil it, so the caller checks. All other border loops are closed by a
 // virtual vertex each. False if the system cannot be solved. Cost: one sparse factorization.
 inline bool tutte_embedding(const Chart& chart, const std::vector<std::vector<int> >& loops,
-                            std::size_t outer_loop, std::vector<Eigen::Vector2d>& uv)
+                            std::size_t outer_loop, const Linear_solver_source& linear_solvers,
+                            std::vector<Eigen::Vector2d>& uv)
 {
   const int n = chart.number_of_vertices();
   std::vector<char> is_fixed(n, 0);
@@ -96,12 +98,14 @@ inline bool tutte_embedding(const Chart& chart, const std::vector<std::vector<in
   if(size == 0)
     return true;
 
-  Eigen::SparseMatrix<double> laplacian(size, size);
+  Sparse_matrix laplacian(size, size); // the lower triangle
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(laplacian);
-  if(solver.info() != Eigen::Success)
+  const std::unique_ptr<Symmetric_solver> solver = linear_solvers.make_symmetric_solver();
+  if(!solver->factorize(laplacian))
     return false;
-  const Eigen::MatrixX2d solution = solver.solve(right);
+  Eigen::MatrixX2d solution(size, 2);
+  for(int coordinate = 0; coordinate < 2; ++coordinate)
+    solution.col(coordinate) = solver->solve(right.col(coordinate));
   for(int v = 0; v < n; ++v)
     if(unknowns[v] >= 0)
       uv[v] = solution.row(unknowns[v]).transpose();

@@ -14,77 +14,27 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-inline double triangle_area(const Triangle& t, const std::vector<Eigen::Vector2d>& uv)
-{
-  const Eigen::Vector2d a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
-  return 0.5 * (a.x() * b.y() - a.y() * b.x());
-}
-
-inline double chart_area(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv)
-{
-  double area = 0;
-  for(const Triangle& t : triangles)
-    area += triangle_area(t, uv);
-  return area;
-}
-
-inline double smallest_area(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv)
-{
-  double area = std::numeric_limits<double>::infinity();
-  for(const Triangle& t : triangles)
-    area = (std::min)(area, triangle_area(t, uv));
-  return area;
-}
-
-inline double surface_area(const std::vector<Rest_shape>& shapes)
-{
-  double area = 0;
-  for(const Rest_shape& s : shapes)
-    area += s.area;
-  return area;
-}
-
-// Each triangle's share of the area.
-inline std::vector<double> area_weights(const std::vector<Rest_shape>& shapes)
-{
-  const double total = surface_area(shapes);
-  std::vector<double> weights;
-  weights.reserve(shapes.size());
-  for(const Rest_shape& s : shapes)
-    weights.push_back(s.area / total);
-  return weights;
-}
-
-inline void scale_to_area(const std::vector<Triangle>& triangles, double area,
-                          std::vector<Eigen::Vector2d>& uv)
-{
-  const double factor = std::sqrt(area / chart_area(triangles, uv));
-  for(Eigen::Vector2d& u : uv)
-    u *= factor;
-}
-
 // Tutte's embedding of a chart whose longest border loop becomes a circle, scaled to the surface's
 // area. `points` holds the position of each chart vertex on the surface. False if rounding left a
 // triangle that is not positive, or so small against the whole that its coordinates have lost their
 // digits, or if the chart has no border of at least three edges.
 inline bool tutte_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points, double area,
-                      std::vector<Eigen::Vector2d>& uv)
+                      const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv)
 {
   const std::vector<std::vector<int> > loops = chart.border_loops();
   std::vector<double> lengths, outer_lengths;
@@ -110,7 +60,7 @@ inline bool tutte_map(const Chart& chart, const std::vector<Eigen::Vector3d>& po
     return false;
   uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
   map_border_to_circle(chart, loops[outer], outer_lengths, uv);
-  if(!tutte_embedding(chart, loops, outer, uv))
+  if(!tutte_embedding(chart, loops, outer, linear_solvers, uv))
     return false;
   scale_to_area(chart.triangles(), area, uv);
   constexpr double smallest_share = 1e-28;

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_SCAFFOLD_MINIMIZATION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_SCAFFOLD_MINIMIZATION_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+struct Scaffold_options
+{
+  // Ends when a round gains less than this fraction of the energy.
+  double decrease = 1e-3;
+  // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
+  // travel farther than to the next vertex of the scaffold, at twice the cost.
+  bool moves_scaffold = false;
+  // Ends the iteration when it returns true.
+  std::function<bool(const Newton_state&)> stop;
+};
+
+// Minimizes the symmetric Dirichlet energy of an injective map of a chart over injective maps
+// [JSP17]: the chart and its scaffold are one mesh, of which no triangle may flip. The scaffold has
+// the same energy with its current shape as the ideal one, so that it resists a change of shape but
+// exerts no force; it is made anew every few steps. Its total weight is small, and the same for all
+// of its triangles: thus a gap that closes keeps its resistance.
+class Scaffold_minimization
+{
+public:
+  Scaffold_minimization(const Chart& chart, const std::vector<Rest_shape>& shapes,
+                        const Linear_solver_source& linear_solvers, const Scaffold_options& options)
+    : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
+      m_options(options)
+  {}
+
+  // `uv` holds an injective map and receives a better one, or stays as it is. In exact arithmetic it
+  // stays injective; that no triangle has flipped is checked exactly after every round.
+  Newton_result operator()(std::vector<Eigen::Vector2d>& uv)
+  {
+    constexpr int maximum_rounds = 30;
+    Newton_result result;
+    result.energy = energy(uv);
+    result.outcome = Newton_outcome::ITERATION_LIMIT;
+    for(int round = 0; round < maximum_rounds; ++round)
+    {
+      std::vector<Eigen::Vector2d> next = uv;
+      const Newton_outcome outcome = do_round(next, result);
+      if(outcome == Newton_outcome::FAILED)
+      {
+        result.outcome = Newton_outcome::STALLED;
+        return result;
+      }
+      uv.swap(next);
+      const double former = result.energy;
+      result.energy = energy(uv);
+      if(outcome == Newton_outcome::STOPPED || former - result.energy < m_options.decrease * former)
+      {
+        result.outcome = outcome == Newton_outcome::STOPPED ? outcome : Newton_outcome::CONVERGED;
+        return result;
+      }
+    }
+    return result;
+  }
+
+private:
+  double energy(const std::vector<Eigen::Vector2d>& uv) const
+  {
+    return area_average(
+      m_shapes, face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart.triangles(), uv));
+  }
+
+  // A few Newton steps with a new scaffold.
+  Newton_outcome do_round(std::vector<Eigen::Vector2d>& uv, Newton_result& total)
+  {
+    constexpr double scaffold_weight = 1e-3; // that of the chart is 1
+    constexpr int factorizations = 3;
+    if(!m_scaffold.build(m_chart, uv))
+      return Newton_outcome::FAILED;
+    const int n = m_chart.number_of_vertices();
+    std::vector<Triangle> triangles = m_chart.triangles();
+    triangles.insert(triangles.end(), m_scaffold.triangles().begin(), m_scaffold.triangles().end());
+    std::vector<Rest_shape> shapes = m_shapes;
+    std::vector<double> weights = m_weights;
+    uv = m_scaffold.points();
+    for(const Triangle& t : m_scaffold.triangles())
+    {
+      shapes.push_back(rest_shape(uv[t[0]], uv[t[1]], uv[t[2]]));
+      weights.push_back(scaffold_weight / double(m_scaffold.triangles().size()));
+    }
+    std::vector<char> is_fixed(n, 0);
+    is_fixed.resize(n + Scaffold::number_of_corners, 1);
+    is_fixed.resize(uv.size(), !m_options.moves_scaffold);
+
+    Newton_solver solver(triangles, int(uv.size()), m_linear_solvers, std::move(is_fixed));
+    Newton_options options;
+    options.maximum_iterations = factorizations;
+    options.stop = m_options.stop;
+    const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
+    total.iterations += result.iterations;
+    total.decrement = result.decrement;
+    if(result.outcome == Newton_outcome::FAILED || count_flips(triangles, uv) > 0)
+      return Newton_outcome::FAILED;
+    uv.resize(n);
+    return result.outcome;
+  }
+
+  const Chart& m_chart;
+  const std::vector<Rest_shape>& m_shapes;
+  const std::vector<double> m_weights;
+  const Linear_solver_source& m_linear_solvers;
+  const Scaffold_options& m_options;
+  Scaffold m_scaffold;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_SCAFFOLD_MINIMIZATION_H

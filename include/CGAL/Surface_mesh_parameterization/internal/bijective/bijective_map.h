@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_BIJECTIVE_MAP_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_BIJECTIVE_MAP_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Whether `uv` flips no triangle and is injective up to contact; exact.
+inline bool is_bijective(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+{
+  if(count_flips(chart.triangles(), uv) > 0)
+    return false;
+  const Border_overlaps overlaps(chart, Connected_parts(chart.opposites()), uv);
+  return overlaps.crossings().empty() && overlaps.containments().empty();
+}
+
+// An injective map near the optimum: Tutte's embedding of the coarsest stage of the hierarchy is
+// injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
+// Should that fail, Tutte's embedding of the whole chart is optimized. False if rounding spoils both, or if stopped.
+inline bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                            const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                            const Scaffold_options& options, std::vector<Eigen::Vector2d>& uv)
+{
+  // In coarse stages, parts of the chart still travel far; these stages are cheap.
+  constexpr int largest_coarse_stage = 1000;
+  const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
+  {
+    Scaffold_options stage_options = options;
+    stage_options.decrease = 1e-2;
+    stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_coarse_stage;
+    return Scaffold_minimization(stage.chart, stage.shapes, linear_solvers, stage_options)(stage_uv).outcome;
+  };
+  constexpr bool keeps_region = true;
+  const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map); };
+  const Stages_outcome outcome
+    = map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, linear_solvers, optimize, is_valid, uv);
+  if(outcome != Stages_outcome::FAILED)
+    return outcome == Stages_outcome::MAPPED;
+  if(!tutte_map(chart, points, surface_area(shapes), linear_solvers, uv))
+    return false;
+  Scaffold_options tutte_options = options;
+  tutte_options.moves_scaffold = true;
+  Scaffold_minimization(chart, shapes, linear_solvers, tutte_options)(uv);
+  return is_bijective(chart, uv);
+}
+
+// As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
+// isometric map, with what its solve returned. That is the answer if its borders do not overlap.
+// FAILED if no injective map was found.
+inline Newton_result make_bijective(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                                    const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                                    std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
+                                    const Newton_options& options)
+{
+  if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
+    return isometric;
+  Scaffold_options scaffold_options;
+  scaffold_options.stop = options.stop;
+  if(isometric.outcome == Newton_outcome::STOPPED ||
+     !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
+    return Newton_result();
+  const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
+  return is_bijective(chart, uv) ? result : Newton_result();
+}
+
+// The same without a map to start with. `points` holds the position of each chart vertex on the
+// surface, `shapes` the triangles laid flat.
+inline Newton_result bijective_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+                                   const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                                   std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
+{
+  const Newton_result isometric
+    = Chart_parameterizer(chart, points, shapes, linear_solvers).isometric_map(uv, options);
+  return make_bijective(chart, points, shapes, linear_solvers, uv, isometric, options);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_BIJECTIVE_MAP_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CONNECTED_PARTS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CONNECTED_PARTS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// What connects triangles across edges that are not open; `part[t]` is the number of the part
+// that the triangle `t` belongs to. Parts are numbered in the order of their lowest triangles.
+struct Connected_parts
+{
+  std::vector<int> part;
+  int number = 0;
+
+  // `opposites` as in `Chart`. O(n).
+  explicit Connected_parts(const std::vector<int>& opposites)
+    : part(opposites.size() / 3, -1)
+  {
+    std::vector<int> stack;
+    for(int seed = 0; seed < int(part.size()); ++seed)
+    {
+      if(part[seed] >= 0)
+        continue;
+      part[seed] = number;
+      stack.push_back(seed);
+      while(!stack.empty())
+      {
+        const int t = stack.back();
+        stack.pop_back();
+        for(int h = 3 * t; h < 3 * t + 3; ++h)
+        {
+          const int o = opposites[h];
+          if(o < 0 || part[o / 3] >= 0)
+            continue;
+          part[o / 3] = number;
+          stack.push_back(o / 3);
+        }
+      }
+      ++number;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CONNECTED_PARTS_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_EXACT_FLIPS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_EXACT_FLIPS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+inline bool is_finite(const Eigen::Vector2d& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y());
+}
+
+// The exact sign of the area of the triangle `abc` of finite points.
+inline Orientation exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                     const Eigen::Vector2d& c)
+{
+  using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
+  return orientation(Point_2(a.x(), a.y()), Point_2(b.x(), b.y()), Point_2(c.x(), c.y()));
+}
+
+// Whether the triangle `abc` is strictly counterclockwise; exact. Points that are not finite make
+// no such triangle.
+inline bool is_counterclockwise(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                const Eigen::Vector2d& c)
+{
+  const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
+  const double determinant = left - right;
+  // Shewchuk's bound of the rounding error is (3 + 16u)u with u = 2^-53; it holds where nothing
+  // underflows. Overflow and NaN fail the comparison.
+  const double error_bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right));
+  constexpr double underflow_bound = 1e-290;
+  if(std::abs(determinant) > error_bound + underflow_bound)
+    return determinant > 0;
+  return is_finite(a) && is_finite(b) && is_finite(c)
+      && exact_orientation(a, b, c) == COUNTERCLOCKWISE;
+}
+
+// The number of triangles that are not strictly counterclockwise, decided exactly; their indices
+// are appended to `witness`.
+inline int count_flips(const std::vector<Triangle>& triangles,
+                       const std::vector<Eigen::Vector2d>& uv,
+                       std::vector<int>* witness = nullptr)
+{
+  int flips = 0;
+  for(std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const Triangle& v = triangles[t];
+    if(is_counterclockwise(uv[v[0]], uv[v[1]], uv[v[2]]))
+      continue;
+    ++flips;
+    if(witness != nullptr)
+      witness->push_back(int(t));
+  }
+  return flips;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_EXACT_FLIPS_H

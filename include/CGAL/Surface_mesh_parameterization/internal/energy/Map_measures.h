@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_MAP_MEASURES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_MAP_MEASURES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// The affine map J of a triangle of the surface to one of the plane.
+struct Triangle_stretch
+{
+  double area = 0; // on the surface
+  double squared_norm = 0, squared_norm_of_inverse = 0;
+};
+
+// In exact arithmetic, for triangles so thin that rounding spoils their heights. With G and H the Gram matrices
+// of two edges on the surface and in the plane, |J|^2 = tr(adj(G) H) / det G and |J^-1|^2 the same over det H.
+inline Triangle_stretch exact_stretch(const Eigen::Vector3d (&p)[3], const Eigen::Vector2d (&u)[3])
+{
+  using Number = Exact_rational;
+  Number g[3] = {0, 0, 0}, h[3] = {0, 0, 0}; // entries 00, 01, 11
+  const auto add = [](const double& origin, const double& a, const double& b, Number (&gram)[3])
+  {
+    const Number s = Number(a) - Number(origin), t = Number(b) - Number(origin);
+    gram[0] += s * s;
+    gram[1] += s * t;
+    gram[2] += t * t;
+  };
+  for(int i = 0; i < 3; ++i)
+    add(p[0][i], p[1][i], p[2][i], g);
+  for(int i = 0; i < 2; ++i)
+    add(u[0][i], u[1][i], u[2][i], h);
+  const Number det_g = g[0] * g[2] - g[1] * g[1], det_h = h[0] * h[2] - h[1] * h[1];
+  const Number trace = g[2] * h[0] - 2 * g[1] * h[1] + g[0] * h[2];
+  Triangle_stretch result;
+  if(det_g == 0)
+    return result;
+  result.area = 0.5 * std::sqrt(CGAL::to_double(det_g));
+  result.squared_norm = CGAL::to_double(Number(trace / det_g));
+  result.squared_norm_of_inverse = det_h == 0 ? (std::numeric_limits<double>::infinity)()
+                                              : CGAL::to_double(Number(trace / det_h));
+  return result;
+}
+
+// Symmetric Dirichlet energies of a map as it is: where the engine works with thickened triangles, here are the
+// triangles themselves. Faces of no area at all, which have no energy, do not count.
+class Map_measures
+{
+public:
+  // `surface` and `chart` hold the same faces over `points` and `uv`. The references are kept.
+  Map_measures(const std::vector<Triangle>& surface, const std::vector<Eigen::Vector3d>& points,
+               const std::vector<Triangle>& chart)
+    : m_surface(surface), m_points(points), m_chart(chart), m_shapes(rest_shapes(surface, points))
+  {
+    constexpr double height_that_rounding_spoils = 1e-7;
+    for(std::size_t f = 0; f < m_shapes.size(); ++f)
+      if(!is_higher(surface[f], height_that_rounding_spoils))
+      {
+        m_thin.push_back({int(f), !is_higher(surface[f], minimal_height)});
+        m_shapes[f].area = 0; // without weight in sums over the others
+      }
+  }
+
+  // See `Stretch_sums`.
+  double best_scale(const std::vector<Eigen::Vector2d>& uv) const
+  {
+    Stretch_sums sums = stretch_sums(m_shapes, m_chart, uv);
+    for(const Thin_face& face : m_thin)
+    {
+      const Triangle_stretch s = stretch(face.index, uv);
+      if(s.area > 0)
+      {
+        sums.stretch += s.area * s.squared_norm;
+        sums.compression += s.area * s.squared_norm_of_inverse;
+      }
+    }
+    const double scale = sums.best_scale();
+    return std::isfinite(scale) && scale > 0 ? scale : 1; // a surface of no area
+  }
+
+  struct Energies
+  {
+    double average = 0, maximum = 0; // the average is over the area
+    double average_of_others = 0;    // without the thickened faces
+  };
+
+  Energies energies(const std::vector<Eigen::Vector2d>& uv) const
+  {
+    const std::vector<double> faces = face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart, uv);
+    Energies result;
+    Average all;
+    for(std::size_t f = 0; f < faces.size(); ++f)
+      if(m_shapes[f].area > 0)
+      {
+        all.add(m_shapes[f].area, faces[f]);
+        result.maximum = (std::max)(result.maximum, faces[f]);
+      }
+    Average others = all;
+    for(const Thin_face& face : m_thin)
+    {
+      const Triangle_stretch s = stretch(face.index, uv);
+      if(!(s.area > 0))
+        continue;
+      const double energy = s.squared_norm + s.squared_norm_of_inverse;
+      all.add(s.area, energy);
+      if(!face.is_thickened)
+        others.add(s.area, energy);
+      result.maximum = (std::max)(result.maximum, energy);
+    }
+    result.average = all.value();
+    result.average_of_others = others.value();
+    return result;
+  }
+
+  bool has_thickened_faces() const
+  {
+    return std::any_of(m_thin.begin(), m_thin.end(), [](const Thin_face& face) { return face.is_thickened; });
+  }
+
+private:
+  struct Thin_face
+  {
+    int index;
+    bool is_thickened; // by the engine
+  };
+
+  struct Average
+  {
+    double sum = 0, area = 0;
+
+    void add(double face_area, double energy)
+    {
+      sum += face_area * energy;
+      area += face_area;
+    }
+    double value() const { return sum / area; }
+  };
+
+  // Whether the height is more than this fraction of the longest edge.
+  bool is_higher(const Triangle& t, double height) const
+  {
+    const Eigen::Vector3d a = m_points[t[1]] - m_points[t[0]], b = m_points[t[2]] - m_points[t[0]];
+    const double squared_length = (std::max)({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+    return a.cross(b).norm() > height * squared_length;
+  }
+
+  Triangle_stretch stretch(int f, const std::vector<Eigen::Vector2d>& uv) const
+  {
+    const Triangle &s = m_surface[f], &c = m_chart[f];
+    return exact_stretch({m_points[s[0]], m_points[s[1]], m_points[s[2]]}, {uv[c[0]], uv[c[1]], uv[c[2]]});
+  }
+
+  const std::vector<Triangle>& m_surface;
+  const std::vector<Eigen::Vector3d>& m_points;
+  const std::vector<Triangle>& m_chart;
+  std::vector<Rest_shape> m_shapes;
+  std::vector<Thin_face> m_thin;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_MAP_MEASURES_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_REST_SHAPES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_REST_SHAPES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// A triangle laid flat: the gradients of its three hat functions and its area. A map with corner
+// values u_i has the Jacobian sum of u_i g_i^T.
+struct Rest_shape
+{
+  Eigen::Vector2d g0, g1, g2;
+  double area;
+};
+
+// From the corners of a flat, counterclockwise triangle.
+inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                             const Eigen::Vector2d& c)
+{
+  const double twice_area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  const auto gradient = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t)
+  { return Eigen::Vector2d((s.y() - t.y()) / twice_area, (t.x() - s.x()) / twice_area); };
+  return Rest_shape{gradient(b, c), gradient(c, a), gradient(a, b), 0.5 * twice_area};
+}
+
+// Of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates are
+// rounded to 1e-16 of the whole.
+constexpr double minimal_height = 1e-10;
+
+// From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get a
+// minimal height relative to their longest edge, and points become equilateral with sides of
+// `minimal_edge`, so that every triangle can be mapped without a flip and without an infinite energy.
+inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c, double minimal_edge)
+{
+  // The longest edge carries the frame: this is the most accurate choice for needles.
+  const Eigen::Vector3d* p[3] = {&a, &b, &c};
+  const double squared_length[3] = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
+  const int k = int(std::max_element(squared_length, squared_length + 3) - squared_length);
+  const Eigen::Vector3d e = *p[(k + 1) % 3] - *p[k], f = *p[(k + 2) % 3] - *p[k];
+  const double length = e.norm();
+  const bool is_point = length <= minimal_edge;
+  const double base = is_point ? minimal_edge : length;
+  const double x = is_point ? 0.5 * base : f.dot(e) / length;
+  const double height = is_point ? std::sqrt(0.75) * base
+                                 : (std::max)(e.cross(f).norm() / length, minimal_height * base);
+  Eigen::Vector2d q[3];
+  q[k] = Eigen::Vector2d(0, 0);
+  q[(k + 1) % 3] = Eigen::Vector2d(base, 0);
+  q[(k + 2) % 3] = Eigen::Vector2d(x, height);
+  return rest_shape(q[0], q[1], q[2]);
+}
+
+// The side of triangles that are points: far shorter than the mean edge, if that has a length at all.
+inline double minimal_edge(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double share = 1e-7;
+  double sum = 0;
+  for(const Triangle& t : triangles)
+    sum += (points[t[1]] - points[t[0]]).norm();
+  return sum > 0 ? share * sum / double(triangles.size()) : share;
+}
+
+// The shapes of all triangles of a surface in space.
+inline std::vector<Rest_shape> rest_shapes(const std::vector<Triangle>& triangles,
+                                           const std::vector<Eigen::Vector3d>& points)
+{
+  const double shortest = minimal_edge(triangles, points);
+  std::vector<Rest_shape> shapes;
+  shapes.reserve(triangles.size());
+  for(const Triangle& t : triangles)
+    shapes.push_back(rest_shape(points[t[0]], points[t[1]], points[t[2]], shortest));
+  return shapes;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_REST_SHAPES_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_TRIANGLE_ENERGY_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_TRIANGLE_ENERGY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Energy_derivatives.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// The derivatives of the affine map of a triangle with respect to z and conjugate(z), as vectors
+// of the plane.
+struct Wirtinger_derivatives
+{
+  Eigen::Vector2d z, conjugate;
+  double x() const { return z.squaredNorm(); }
+  double y() const { return conjugate.squaredNorm(); }
+};
+
+// With g_i the gradients of the hat functions as complex numbers, f_z = 1/2 sum of conj(g_i) u_i
+// and f_z̄ = 1/2 sum of g_i u_i.
+inline Wirtinger_derivatives wirtinger_derivatives(const Rest_shape& s, const Eigen::Vector2d& u0,
+                                                   const Eigen::Vector2d& u1, const Eigen::Vector2d& u2)
+{
+  // g0 = -g1 - g2: differences keep the digits that sums of large coordinates would lose.
+  const Eigen::Vector2d a = u1 - u0, b = u2 - u0;
+  const double xx = s.g1.x() * a.x() + s.g2.x() * b.x(), yy = s.g1.y() * a.y() + s.g2.y() * b.y();
+  const double xy = s.g1.x() * a.y() + s.g2.x() * b.y(), yx = s.g1.y() * a.x() + s.g2.y() * b.x();
+  return {Eigen::Vector2d(0.5 * (xx + yy), 0.5 * (xy - yx)),
+          Eigen::Vector2d(0.5 * (xx - yy), 0.5 * (xy + yx))};
+}
+
+// The 4x4 Hessian of an energy E(x, y) in (f_z, f_z̄) splits: one eigenvalue across each of the two
+// vectors, and a 2x2 block in their directions. KP-Newton [GSC18] sets negative eigenvalues to zero,
+// here in closed form.
+struct Projected_hessian
+{
+  double across_z, across_conjugate; // eigenvalues
+  double zz, zc, cc;                 // the block
+
+  Projected_hessian(const Energy_derivatives& e, double x, double y)
+  {
+    across_z = (std::max)(0., 2 * e.x);
+    across_conjugate = (std::max)(0., 2 * e.y);
+    zz = 2 * e.x + 4 * e.xx * x;
+    zc = 4 * e.xy * std::sqrt(x * y);
+    cc = 2 * e.y + 4 * e.yy * y;
+    project_block();
+  }
+
+private:
+  void project_block()
+  {
+    const double mean = 0.5 * (zz + cc), difference = 0.5 * (zz - cc);
+    const double radius = std::sqrt(difference * difference + zc * zc);
+    if(mean - radius >= 0)
+      return;
+    const double eigenvalue = mean + radius;
+    if(!(eigenvalue > 0))
+    {
+      zz = zc = cc = 0;
+      return;
+    }
+    // The positive eigenspace alone; its direction from the larger of the two equivalent formulas.
+    double c = difference >= 0 ? difference + radius : zc;
+    double s = difference >= 0 ? zc : radius - difference;
+    const double n = std::sqrt(c * c + s * s);
+    c /= n;
+    s /= n;
+    zz = eigenvalue * c * c;
+    zc = eigenvalue * c * s;
+    cc = eigenvalue * s * s;
+  }
+};
+
+// Energy, gradient and projected Hessian of one triangle, per unit of area.
+struct Triangle_terms
+{
+  double value;
+  Eigen::Vector2d gradient[3];
+  Eigen::Matrix2d diagonal[3]; // blocks (0,0) (1,1) (2,2)
+  Eigen::Matrix2d mixed[3];    // blocks (0,1) (1,2) (2,0)
+};
+
+namespace complex {
+
+inline Eigen::Vector2d product(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return Eigen::Vector2d(a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x());
+}
+inline Eigen::Vector2d conjugate_product(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return Eigen::Vector2d(a.x() * b.x() + a.y() * b.y(), a.x() * b.y() - a.y() * b.x());
+}
+
+} // namespace complex
+
+template <typename Energy>
+void triangle_terms(const Rest_shape& shape, const Eigen::Vector2d& u0, const Eigen::Vector2d& u1,
+                    const Eigen::Vector2d& u2, Triangle_terms& terms)
+{
+  const Wirtinger_derivatives f = wirtinger_derivatives(shape, u0, u1, u2);
+  const double x = f.x(), y = f.y();
+  const Energy_derivatives e = Energy::derivatives(x, y);
+  const Projected_hessian h(e, x, y);
+  const Eigen::Vector2d z = f.z / std::sqrt(x);
+  // Where f_z̄ vanishes its direction does not matter: `zc` is zero and `cc` equals the eigenvalue across.
+  const Eigen::Vector2d c = y > 0 ? Eigen::Vector2d(f.conjugate / std::sqrt(y)) : Eigen::Vector2d(1, 0);
+
+  // f_z = sum of conj(d_i) u_i, f_z̄ = sum of d_i u_i with d_i = g_i / 2.
+  const Eigen::Vector2d d[3] = {0.5 * shape.g0, 0.5 * shape.g1, 0.5 * shape.g2};
+  Eigen::Vector2d p[3], q[3]; // the transposed maps applied to the unit vectors z and c
+  for(int i = 0; i < 3; ++i)
+  {
+    p[i] = complex::product(d[i], z);
+    q[i] = complex::conjugate_product(d[i], c);
+  }
+
+  terms.value = e.value;
+  const double slope_z = 2 * e.x * std::sqrt(x), slope_c = 2 * e.y * std::sqrt(y);
+  for(int i = 0; i < 3; ++i)
+    terms.gradient[i] = slope_z * p[i] + slope_c * q[i];
+
+  const double along_z = h.zz - h.across_z, along_c = h.cc - h.across_conjugate;
+  const auto block = [&](int i, int j, Eigen::Matrix2d& b)
+  {
+    // The two rotation-scaling parts, d_i conj(d_j) and its conjugate, differ in the sign of their
+    // imaginary entries only.
+    const Eigen::Vector2d r = complex::conjugate_product(d[i], d[j]);
+    const double real = (h.across_z + h.across_conjugate) * r.x();
+    const double imaginary = (h.across_z - h.across_conjugate) * r.y();
+    const Eigen::Vector2d a = along_z * p[j] + h.zc * q[j], t = h.zc * p[j] + along_c * q[j];
+    b(0, 0) = real + p[i].x() * a.x() + q[i].x() * t.x();
+    b(0, 1) = imaginary + p[i].x() * a.y() + q[i].x() * t.y();
+    b(1, 0) = -imaginary + p[i].y() * a.x() + q[i].y() * t.x();
+    b(1, 1) = real + p[i].y() * a.y() + q[i].y() * t.y();
+  };
+  for(int i = 0; i < 3; ++i)
+  {
+    block(i, i, terms.diagonal[i]);
+    block(i, (i + 1) % 3, terms.mixed[i]);
+  }
+}
+
+// Energy and gradient alone, per unit of area.
+template <typename Energy>
+double triangle_gradient(const Rest_shape& shape, const Eigen::Vector2d& u0, const Eigen::Vector2d& u1,
+                         const Eigen::Vector2d& u2, Eigen::Vector2d gradient[3])
+{
+  const Wirtinger_derivatives f = wirtinger_derivatives(shape, u0, u1, u2);
+  const Energy_derivatives e = Energy::derivatives(f.x(), f.y());
+  const Eigen::Vector2d z = e.x * f.z, c = e.y * f.conjugate;
+  const Eigen::Vector2d* const g[3] = {&shape.g0, &shape.g1, &shape.g2};
+  for(int i = 0; i < 3; ++i)
+    gradient[i] = complex::product(*g[i], z) + complex::conjugate_product(*g[i], c);
+  return e.value;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_TRIANGLE_ENERGY_H

@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_COLLAPSIBLE_CHART_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_COLLAPSIBLE_CHART_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// The connectivity of a chart under half-edge collapses that can be undone in the reverse order.
+// Triangles and vertices keep their numbers; collapsed ones are dormant.
+class Collapsible_chart
+{
+public:
+  explicit Collapsible_chart(const Chart& chart)
+    : m_triangles(chart.triangles()), m_opposites(chart.opposites()),
+      m_is_dormant(m_triangles.size(), 0), m_halfedges(chart.number_of_vertices(), -1),
+      m_marks(chart.number_of_vertices(), 0)
+  {
+    for(int h = 0; h < int(m_opposites.size()); ++h)
+    {
+      int& first = m_halfedges[source(h)];
+      if(first < 0 || m_opposites[h] < 0)
+        first = h;
+    }
+  }
+
+  int source(int h) const { return m_triangles[h / 3][h % 3]; }
+  int target(int h) const { return source(next_halfedge(h)); }
+  bool is_used(int v) const { return m_halfedges[v] >= 0; }
+  bool is_on_border(int v) const { return m_opposites[m_halfedges[v]] < 0; }
+  bool is_dormant(int t) const { return m_is_dormant[t] != 0; }
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+  const std::vector<int>& opposites() const { return m_opposites; }
+  int number_of_collapses() const { return int(m_collapses.size()); }
+
+  // The halfedges that leave `v`, counterclockwise, a border vertex's border halfedge first.
+  void fan(int v, std::vector<int>& halfedges) const
+  {
+    halfedges.clear();
+    const int first = m_halfedges[v];
+    int h = first;
+    do
+    {
+      halfedges.push_back(h);
+      h = m_opposites[previous_halfedge(h)];
+    }
+    while(h >= 0 && h != first);
+  }
+
+  // The neighbors of `v` counterclockwise, from its fan; a border vertex has one more neighbor than
+  // halfedges.
+  void ring(int v, const std::vector<int>& fan, std::vector<int>& neighbors) const
+  {
+    neighbors.clear();
+    for(int h : fan)
+      neighbors.push_back(target(h));
+    if(is_on_border(v))
+      neighbors.push_back(source(previous_halfedge(fan.back())));
+  }
+
+  // Whether merging `v` into its neighbor ring[j] leaves a chart of the same topology: a border
+  // vertex moves along the border only, and the two have no common neighbors but those across their
+  // edge (link condition).
+  bool can_collapse(int v, const std::vector<int>& fan, const std::vector<int>& ring, int j)
+  {
+    const bool is_border = is_on_border(v);
+    const int last = int(ring.size()) - 1;
+    if(is_border && j != 0 && j != last)
+      return false;
+    if(is_border && fan.size() == 1 && m_opposites[next_halfedge(fan[0])] < 0)
+      return false; // the last triangle
+    if(!is_border && ring.size() < 3)
+      return false;
+    ++m_mark;
+    for(int i = 0; i <= last; ++i)
+      m_marks[ring[i]] = m_mark;
+    for(int step : {-1, 1})
+    {
+      int i = j + step;
+      if(!is_border)
+        i = (i + last + 1) % (last + 1);
+      if(i >= 0 && i <= last)
+        m_marks[ring[i]] = 0;
+    }
+    const int u = ring[j], first = m_halfedges[u];
+    int h = first;
+    do
+    {
+      if(m_marks[target(h)] == m_mark)
+        return false;
+      const int before = previous_halfedge(h);
+      if(m_opposites[before] < 0)
+        return m_marks[source(before)] != m_mark;
+      h = m_opposites[before];
+    }
+    while(h != first);
+    return true;
+  }
+
+  // Merges `v` into ring[j]; `can_collapse()` must hold.
+  void collapse(int v, const std::vector<int>& fan, const std::vector<int>& ring, int j)
+  {
+    const int u = ring[j];
+    Collapse record{v, int(m_moved_corners.size()), int(m_former_halfedges.size()), {-1, -1}};
+    const int size = int(fan.size());
+    const bool is_border = is_on_border(v);
+    // Triangles j-1 and j of the fan hold the edge from v to u.
+    int removed = 0;
+    if(!is_border || j < size)
+      record.triangles[removed++] = fan[j] / 3;
+    if(!is_border || j > 0)
+      record.triangles[removed++] = fan[(j + size - 1) % size] / 3;
+    for(int w : ring)
+      m_former_halfedges.emplace_back(w, m_halfedges[w]);
+    for(int h : fan)
+      if(h / 3 != record.triangles[0] && h / 3 != record.triangles[1])
+      {
+        m_moved_corners.push_back(h);
+        m_triangles[h / 3][h % 3] = u;
+      }
+    for(int t : record.triangles)
+      if(t >= 0)
+        remove(t, v, u);
+    for(int w : ring)
+      update_halfedge(w, fan, record);
+    m_collapses.push_back(record);
+  }
+
+  // Undoes the latest collapse and returns its vertex.
+  int undo()
+  {
+    const Collapse record = m_collapses.back();
+    m_collapses.pop_back();
+    for(int t : {record.triangles[1], record.triangles[0]})
+      if(t >= 0)
+      {
+        m_is_dormant[t] = 0;
+        for(int k = 0; k < 3; ++k)
+          if(m_opposites[3 * t + k] >= 0)
+            m_opposites[m_opposites[3 * t + k]] = 3 * t + k;
+      }
+    for(std::size_t i = record.first_corner; i < m_moved_corners.size(); ++i)
+      m_triangles[m_moved_corners[i] / 3][m_moved_corners[i] % 3] = record.vertex;
+    m_moved_corners.resize(record.first_corner);
+    for(std::size_t i = record.first_halfedge; i < m_former_halfedges.size(); ++i)
+      m_halfedges[m_former_halfedges[i].first] = m_former_halfedges[i].second;
+    m_former_halfedges.resize(record.first_halfedge);
+    return record.vertex;
+  }
+
+private:
+  struct Collapse
+  {
+    int vertex, first_corner, first_halfedge;
+    int triangles[2];
+  };
+
+  // Takes out triangle t, which holds the collapsing edge, and joins what lies across its two other
+  // edges. Its own entries stay as they are: undo() reads them.
+  void remove(int t, int v, int u)
+  {
+    m_is_dormant[t] = 1;
+    int outer[2], count = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      const int s = m_triangles[t][k], e = m_triangles[t][(k + 1) % 3];
+      if(!((s == v && e == u) || (s == u && e == v)))
+        outer[count++] = m_opposites[3 * t + k];
+    }
+    for(int i = 0; i < 2; ++i)
+      if(outer[i] >= 0)
+        m_opposites[outer[i]] = outer[1 - i];
+  }
+
+  // Finds a halfedge that leaves `w` again, the border one if there is one: its former one may have
+  // been taken out or joined to another. The collapse touched only `fan` and what lay across the
+  // removed triangles.
+  void update_halfedge(int w, const std::vector<int>& fan, const Collapse& record)
+  {
+    int h = m_halfedges[w];
+    if(m_is_dormant[h / 3])
+    {
+      h = -1;
+      for(int c : fan)
+        for(int k = 0; k < 3 && h < 0; ++k)
+          if(!m_is_dormant[c / 3] && source(3 * (c / 3) + k) == w)
+            h = 3 * (c / 3) + k;
+      for(int t : record.triangles)
+        for(int k = 0; t >= 0 && k < 3 && h < 0; ++k)
+        {
+          const int o = m_opposites[3 * t + k];
+          if(o >= 0 && !m_is_dormant[o / 3])
+            h = source(o) == w ? o : target(o) == w ? next_halfedge(o) : -1;
+        }
+    }
+    const int first = h;
+    while(m_opposites[h] >= 0)
+    {
+      h = next_halfedge(m_opposites[h]);
+      if(h == first)
+        break;
+    }
+    m_halfedges[w] = h;
+  }
+
+  std::vector<Triangle> m_triangles;
+  std::vector<int> m_opposites;
+  std::vector<char> m_is_dormant;
+  std::vector<int> m_halfedges; // per vertex, one that leaves it; on the border the border one
+  std::vector<Collapse> m_collapses;
+  std::vector<int> m_moved_corners;
+  std::vector<std::pair<int, int> > m_former_halfedges;
+  std::vector<int> m_marks;
+  int m_mark = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_COLLAPSIBLE_CHART_H

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_ROUNDING_REPAIR_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_ROUNDING_REPAIR_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/star_placement.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Rounds a map to what its keeper can hold, as `float`, so that no triangle flips: where one does, a
+// vertex of it moves towards the middle of the kernel of its star, no farther than needed.
+class Rounding_repair
+{
+public:
+  using Round = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
+
+  // The vertices from `number_of_rounded` on are not kept: they need no rounding, and those that are
+  // fixed must not move. The triangles are referred to.
+  Rounding_repair(const std::vector<Triangle>& triangles, int number_of_vertices, Round round, int number_of_rounded,
+                  std::vector<char> is_fixed)
+    : m_triangles(triangles), m_round(std::move(round)), m_number_of_rounded(number_of_rounded),
+      m_is_fixed(std::move(is_fixed)), m_offsets(number_of_vertices + 1, 0)
+  {}
+
+  // False if flips remain. O(n), and for each repair about the size of a star.
+  bool operator()(std::vector<Eigen::Vector2d>& uv)
+  {
+    constexpr int maximum_number_of_passes = 20;
+    for(int v = 0; v < m_number_of_rounded; ++v)
+      uv[v] = m_round(uv[v]);
+    std::vector<int> flipped;
+    count_flips(m_triangles, uv, &flipped);
+    if(!flipped.empty())
+      find_stars();
+    for(int pass = 0; pass < maximum_number_of_passes && !flipped.empty(); ++pass)
+    {
+      bool is_changed = false;
+      for(int t : flipped)
+        for(int v : m_triangles[t])
+          is_changed = (is_flipped(t, uv) && improve(v, uv)) || is_changed;
+      if(!is_changed)
+        return false;
+      flipped.clear();
+      count_flips(m_triangles, uv, &flipped);
+    }
+    return flipped.empty();
+  }
+
+private:
+  void find_stars()
+  {
+    for(const Triangle& t : m_triangles)
+      for(int v : t)
+        ++m_offsets[v + 1];
+    for(std::size_t v = 1; v < m_offsets.size(); ++v)
+      m_offsets[v] += m_offsets[v - 1];
+    m_stars.resize(m_offsets.back());
+    std::vector<int> next(m_offsets.begin(), m_offsets.end() - 1);
+    for(std::size_t t = 0; t < m_triangles.size(); ++t)
+      for(int v : m_triangles[t])
+        m_stars[next[v]++] = int(t);
+  }
+
+  bool is_flipped(int t, const std::vector<Eigen::Vector2d>& uv) const
+  {
+    const Triangle& v = m_triangles[t];
+    return !is_counterclockwise(uv[v[0]], uv[v[1]], uv[v[2]]);
+  }
+
+  int number_of_flips_around(int v, const std::vector<Eigen::Vector2d>& uv) const
+  {
+    int number = 0;
+    for(int i = m_offsets[v]; i < m_offsets[v + 1]; ++i)
+      number += is_flipped(m_stars[i], uv);
+    return number;
+  }
+
+  // Whether fewer triangles around the vertex are flipped now.
+  bool improve(int v, std::vector<Eigen::Vector2d>& uv)
+  {
+    constexpr double shortest_move = 1e-6, growth = 4;
+    Eigen::Vector2d middle;
+    if((v < int(m_is_fixed.size()) && m_is_fixed[v]) || !kernel_centroid(v, uv, middle))
+      return false;
+    const Eigen::Vector2d former = uv[v];
+    Eigen::Vector2d best = former;
+    const int former_number = number_of_flips_around(v, uv);
+    int least = former_number;
+    for(double share = shortest_move; least > 0; share *= growth)
+    {
+      uv[v] = former + (share < 1 ? share : 1) * (middle - former);
+      if(v < m_number_of_rounded)
+        uv[v] = m_round(uv[v]);
+      const int number = number_of_flips_around(v, uv);
+      if(number < least)
+      {
+        least = number;
+        best = uv[v];
+      }
+      if(share >= 1)
+        break;
+    }
+    uv[v] = best;
+    return least < former_number;
+  }
+
+  bool kernel_centroid(int v, const std::vector<Eigen::Vector2d>& uv, Eigen::Vector2d& middle)
+  {
+    const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
+    const Rest_shape no_shape{zero, zero, zero, 0}; // the kernel does not depend on it
+    m_star.clear();
+    for(int i = m_offsets[v]; i < m_offsets[v + 1]; ++i)
+    {
+      const Triangle& t = m_triangles[m_stars[i]];
+      const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+      m_star.push_back({uv[t[(k + 1) % 3]], uv[t[(k + 2) % 3]], no_shape});
+    }
+    return m_placement.kernel_centroid(m_star, middle);
+  }
+
+  const std::vector<Triangle>& m_triangles;
+  const Round m_round;
+  const int m_number_of_rounded;
+  const std::vector<char> m_is_fixed;
+  std::vector<int> m_offsets, m_stars; // the triangles around each vertex
+  std::vector<Star_triangle> m_star;
+  Star_placement<Symmetric_Dirichlet_energy> m_placement;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_ROUNDING_REPAIR_H

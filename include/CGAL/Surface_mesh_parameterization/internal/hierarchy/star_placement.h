@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_STAR_PLACEMENT_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_STAR_PLACEMENT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// One triangle of a vertex star: the edge across from the vertex and the shape on the surface, its
+// corner 0 at the vertex.
+struct Star_triangle
+{
+  Eigen::Vector2d a, b;
+  Rest_shape shape;
+};
+
+inline double doubled_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+{
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+// The part of a convex polygon on the left of the line from a to b.
+inline void clip_polygon(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                         std::vector<Eigen::Vector2d>& polygon, std::vector<Eigen::Vector2d>& buffer)
+{
+  buffer.clear();
+  for(std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Eigen::Vector2d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double dp = doubled_area(a, b, p), dq = doubled_area(a, b, q);
+    if(dp >= 0)
+      buffer.push_back(p);
+    if((dp > 0 && dq < 0) || (dp < 0 && dq > 0))
+      buffer.push_back(p + dp / (dp - dq) * (q - p));
+  }
+  polygon.swap(buffer);
+}
+
+// Finds where the center of a star can be put so that all its triangles are positive, with as little
+// energy as possible: the centroid of the kernel, then Newton's method on the center alone. False if the
+// kernel has no interior in floating point.
+template <typename Energy>
+class Star_placement
+{
+public:
+  bool operator()(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
+  {
+    if(!kernel_centroid(star, center))
+      return false;
+    improve(star, center);
+    return true;
+  }
+
+  // From a center that makes all triangles positive.
+  static void improve(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
+  {
+    constexpr int maximum_steps = 8, maximum_trials = 20;
+    double e = energy(star, center);
+    Triangle_terms terms;
+    for(int i = 0; i < maximum_steps; ++i)
+    {
+      Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+      Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+      for(const Star_triangle& t : star)
+      {
+        triangle_terms<Energy>(t.shape, center, t.a, t.b, terms);
+        gradient += t.shape.area * terms.gradient[0];
+        hessian += t.shape.area * terms.diagonal[0];
+      }
+      const Eigen::Vector2d step = hessian.inverse() * gradient;
+      const double decrement = gradient.dot(step);
+      if(!(decrement > 1e-3 * e))
+        return;
+      double t = 1, next = energy(star, center - step);
+      for(int k = 0; k < maximum_trials && !(next < e); ++k)
+      {
+        t *= 0.5;
+        next = energy(star, center - t * step);
+      }
+      if(!(next < e))
+        return;
+      center -= t * step;
+      e = next;
+    }
+  }
+
+  // The mean of the corners of the kernel.
+  bool kernel_centroid(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
+  {
+    Eigen::Vector2d low = star.front().a, high = low;
+    for(const Star_triangle& t : star)
+    {
+      low = low.cwiseMin(t.a).cwiseMin(t.b);
+      high = high.cwiseMax(t.a).cwiseMax(t.b);
+    }
+    // The kernel of a border vertex's star is unbounded: the box stands for the rest of the plane.
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant((high - low).maxCoeff());
+    low -= margin;
+    high += margin;
+    m_polygon = {low, Eigen::Vector2d(high.x(), low.y()), high, Eigen::Vector2d(low.x(), high.y())};
+    for(const Star_triangle& t : star)
+    {
+      clip_polygon(t.a, t.b, m_polygon, m_buffer);
+      if(m_polygon.size() < 3)
+        return false;
+    }
+    center.setZero();
+    for(const Eigen::Vector2d& p : m_polygon)
+      center += p;
+    center /= double(m_polygon.size());
+    return is_positive(star, center);
+  }
+
+private:
+  static bool is_positive(const std::vector<Star_triangle>& star, const Eigen::Vector2d& center)
+  {
+    return std::all_of(star.begin(), star.end(), [&](const Star_triangle& t)
+                       { return doubled_area(center, t.a, t.b) > 0; });
+  }
+
+  static double energy(const std::vector<Star_triangle>& star, const Eigen::Vector2d& center)
+  {
+    double sum = 0;
+    for(const Star_triangle& t : star)
+    {
+      const Wirtinger_derivatives w = wirtinger_derivatives(t.shape, center, t.a, t.b);
+      const double x = w.x(), y = w.y();
+      if(!(x > y) || !(doubled_area(center, t.a, t.b) > 0))
+        return std::numeric_limits<double>::infinity();
+      sum += t.shape.area * Energy::value(x, y);
+    }
+    return sum;
+  }
+
+  std::vector<Eigen::Vector2d> m_polygon, m_buffer;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_STAR_PLACEMENT_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_LINEAR_SOLVER_SOURCE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_LINEAR_SOLVER_SOURCE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Embedded_hermitian_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Lent_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Reordering_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/adapted_solvers.h>
+
+#include <CGAL/Default.h>
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Where the solvers come from if the program gives one: that one solves all systems.
+class Given_solver_source : public Linear_solver_source
+{
+public:
+  std::unique_ptr<Symmetric_solver> make_symmetric_solver() const override
+  {
+    return std::make_unique<Reordering_solver>(make_solver());
+  }
+  std::unique_ptr<Hermitian_solver> make_hermitian_solver() const override
+  {
+    return std::make_unique<Embedded_hermitian_solver>(make_solver());
+  }
+};
+
+// Each system has a copy of the given solver.
+template <typename Solver>
+class Copied_solver_source : public Given_solver_source
+{
+public:
+  explicit Copied_solver_source(const Solver& solver) : m_solver(solver) {}
+  std::unique_ptr<Linear_solver> make_solver() const override { return adapt(std::make_shared<Solver>(m_solver)); }
+
+private:
+  const Solver m_solver;
+};
+
+// The given solver is lent to one system at a time.
+class Lent_solver_source : public Given_solver_source
+{
+public:
+  explicit Lent_solver_source(std::unique_ptr<Linear_solver> solver)
+    : m_lending(std::make_shared<Lending>(std::move(solver)))
+  {}
+  std::unique_ptr<Linear_solver> make_solver() const override { return std::make_unique<Lent_solver>(m_lending); }
+
+private:
+  const std::shared_ptr<Lending> m_lending;
+};
+
+// From what a program gives: nothing but `Default`, a reference to a solver, or a solver. Copies of models of
+// CGAL's concept may share what they hold, as `Eigen_solver_traits` does: such a model is lent.
+inline std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&)
+{
+  return std::make_shared<Simplicial_solver_source>();
+}
+
+template <typename Solver>
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const std::reference_wrapper<Solver>& solver)
+{
+  static_assert(!std::is_const<Solver>::value, "Pass a solver that cannot be copied by std::ref().");
+  const std::shared_ptr<void> no_owner;
+  return std::make_shared<Lent_solver_source>(adapt(std::shared_ptr<Solver>(no_owner, &solver.get())));
+}
+
+template <typename Solver>
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Solver& solver)
+{
+  if constexpr(Has_eigen_interface<Solver>::value)
+    return std::make_shared<Copied_solver_source<Solver> >(solver);
+  else
+    return std::make_shared<Lent_solver_source>(adapt(std::make_shared<Solver>(solver)));
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_LINEAR_SOLVER_SOURCE_H

@@ -1,0 +1,305 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SOLVER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SOLVER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// SINGULAR: factorization failed, map valid. FAILED: map invalid.
+enum class Newton_outcome { CONVERGED, STOPPED, ITERATION_LIMIT, STALLED, SINGULAR, FAILED };
+
+// What is known after the direction of a step was found and before it is taken.
+struct Newton_state
+{
+  int iteration;
+  double energy;    // area-averaged
+  double decrement; // g^T H^-1 g, about twice the gain that is left
+};
+
+struct Newton_options
+{
+  int maximum_iterations = 200;
+  double decrement = 1e-6; // as a fraction of the energy
+  // Ends the iteration when it returns true.
+  std::function<bool(const Newton_state&)> stop;
+};
+
+struct Newton_result
+{
+  Newton_outcome outcome = Newton_outcome::FAILED;
+  int iterations = 0; // factorizations
+  double energy = std::numeric_limits<double>::infinity();
+  double decrement = std::numeric_limits<double>::infinity();
+
+  // Whether the map is as good as the options asked for or as rounding allows.
+  bool is_converged() const
+  { return outcome == Newton_outcome::CONVERGED || outcome == Newton_outcome::STALLED; }
+};
+
+// KP-Newton [GSC18]: minimizes the area-averaged energy of a flip-free map by Newton's method with
+// projected Hessians. Each step stays short of the first flip and satisfies Armijo's condition, so
+// the energy never grows and no triangle ever flips. One object serves any number of solves over
+// the same triangles; the symbolic factorization is kept.
+class Newton_solver
+{
+public:
+  // Vertices with `is_fixed` keep their place (empty: all are free; then the first vertex is pinned,
+  // which costs nothing since the energies do not depend on translation).
+  Newton_solver(std::vector<Triangle> triangles, int number_of_vertices,
+                const Linear_solver_source& linear_solvers, std::vector<char> is_fixed = {})
+    : m_triangles(std::move(triangles)), m_solver(linear_solvers.make_solver())
+  {
+    if(std::find(is_fixed.begin(), is_fixed.end(), char(1)) == is_fixed.end() && !m_triangles.empty())
+    {
+      is_fixed.assign(number_of_vertices, 0);
+      is_fixed[m_triangles.front()[0]] = 1;
+    }
+    m_system = Newton_system(m_triangles, number_of_vertices, is_fixed);
+    if(m_system.number_of_unknowns() > 0)
+      m_solver->analyze(m_system.hessian());
+  }
+
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+
+  // `uv` holds a flip-free map and receives a better one. `weights` are the triangles' areas divided
+  // by their sum, whatever the shapes' areas are: references may change, the measure does not.
+  template <typename Energy>
+  Newton_result minimize(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                         std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
+  {
+    const Release release{*m_solver};
+    Newton_result result;
+    std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
+    result.energy = energy<Energy>(shapes, weights, uv);
+    if(!std::isfinite(result.energy)) // the sums of `assemble()` do not see flips
+      return result;
+    if(m_system.number_of_unknowns() == 0)
+    {
+      result.outcome = Newton_outcome::CONVERGED;
+      result.decrement = 0;
+      return result;
+    }
+    while(true)
+    {
+      if(!find_direction<Energy>(shapes, weights, uv, result))
+      {
+        result.energy = energy<Energy>(shapes, weights, uv);
+        result.outcome = Newton_outcome::SINGULAR;
+        return result;
+      }
+      m_memory.clear();
+      for(int i = 0; i <= maximum_reuse(); ++i)
+      {
+        if(options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement}))
+        {
+          result.outcome = Newton_outcome::STOPPED;
+          return result;
+        }
+        for(std::size_t v = 0; v < uv.size(); ++v)
+          if(m_system.unknown(int(v)) >= 0)
+            direction[v] = -m_step.segment<2>(m_system.unknown(int(v)));
+        const bool is_converged = result.decrement <= options.decrement * result.energy;
+        const double former = result.energy;
+        const double t = line_search<Energy>(shapes, weights, direction, uv, trial, result);
+        const double decrease = former - result.energy;
+        if(is_converged || (i == 0 && decrease <= 1e-14 * former))
+        {
+          result.outcome = is_converged ? Newton_outcome::CONVERGED : Newton_outcome::STALLED;
+          return result;
+        }
+        // A factorization serves as long as it predicts what its directions gain.
+        if(decrease < 0.1 * result.decrement || !find_reused_direction<Energy>(shapes, weights, uv, t, result))
+          break;
+      }
+      if(result.iterations >= options.maximum_iterations)
+      {
+        result.outcome = Newton_outcome::ITERATION_LIMIT;
+        return result;
+      }
+    }
+  }
+
+  // The area-averaged energy; infinite if a triangle is not positive.
+  template <typename Energy>
+  double energy(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                const std::vector<Eigen::Vector2d>& uv) const
+  {
+    double sum = 0;
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+    {
+      const Triangle& t = m_triangles[f];
+      const Wirtinger_derivatives w = wirtinger_derivatives(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]]);
+      const double x = w.x(), y = w.y();
+      if(!(x > y))
+        return std::numeric_limits<double>::infinity();
+      sum += weights[f] * Energy::value(x, y);
+    }
+    return sum;
+  }
+
+private:
+  // Lets go of the linear solver at the end of a scope.
+  struct Release
+  {
+    Linear_solver& solver;
+    ~Release() { solver.release(); }
+  };
+
+  struct Curvature_pair
+  {
+    Eigen::VectorXd step, gradient_change;
+    double product = 0;
+  };
+
+  // How many further directions one factorization serves at most. With nested dissection it costs about the
+  // square root of the number of unknowns times as much as a direction.
+  int maximum_reuse() const
+  {
+    constexpr int least = 8, most = 30;
+    return std::clamp(int(std::sqrt(double(m_system.number_of_unknowns())) / 10), least, most);
+  }
+
+  // Assembles and solves for the Newton direction. The diagonal shift is relative to each entry: it
+  // fixes the gauge (MIPS does not depend on scale and rotation) and grows only where rounding
+  // makes the factorization of an ill-conditioned matrix fail.
+  template <typename Energy>
+  bool find_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                      const std::vector<Eigen::Vector2d>& uv, Newton_result& result)
+  {
+    constexpr double gauge_shift = 1e-12, largest_shift = 1e-2, growth = 100;
+    for(double shift = gauge_shift; shift <= largest_shift; shift *= growth)
+    {
+      result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, shift);
+      if(!std::isfinite(result.energy))
+        return false;
+      ++result.iterations;
+      if(!m_solver->factorize(m_system.hessian()))
+        continue;
+      m_step = m_solver->solve(m_system.gradient());
+      result.decrement = m_system.gradient().dot(m_step);
+      if(std::isfinite(result.decrement) && result.decrement >= 0)
+        return true;
+    }
+    return false;
+  }
+
+  // The next direction from the factorization at hand: L-BFGS with the latest projected Hessian as
+  // the initial one. A direction costs a few triangular solves, a small part of a factorization, and
+  // makes up for what projection adds to the stiffness of far-off maps. `t`: the step just taken.
+  template <typename Energy>
+  bool find_reused_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                             const std::vector<Eigen::Vector2d>& uv, double t, Newton_result& result)
+  {
+    Curvature_pair pair{-t * m_step, -m_system.gradient()};
+    m_system.template assemble_gradient<Energy>(m_triangles, shapes, weights, uv);
+    pair.gradient_change += m_system.gradient();
+    pair.product = pair.step.dot(pair.gradient_change);
+    if(!(pair.product > 0))
+      return false;
+    m_memory.push_back(std::move(pair));
+    apply_inverse(m_system.gradient());
+    result.decrement = m_system.gradient().dot(m_step);
+    return std::isfinite(result.decrement) && result.decrement > 0;
+  }
+
+  // The two-loop recursion of L-BFGS; the result is left in m_step.
+  void apply_inverse(Eigen::VectorXd q)
+  {
+    std::vector<double> alphas(m_memory.size());
+    for(std::size_t i = m_memory.size(); i-- > 0;)
+    {
+      alphas[i] = m_memory[i].step.dot(q) / m_memory[i].product;
+      q -= alphas[i] * m_memory[i].gradient_change;
+    }
+    m_step = m_solver->solve(q);
+    for(std::size_t i = 0; i < m_memory.size(); ++i)
+    {
+      const double beta = m_memory[i].gradient_change.dot(m_step) / m_memory[i].product;
+      m_step += (alphas[i] - beta) * m_memory[i].step;
+    }
+  }
+
+  // Backtracking with Armijo's condition from the full Newton step, or what is flip-free of it. Where
+  // the full step is accepted, longer ones are tried: while tiny triangles grow by orders of
+  // magnitude, the quadratic model sees only a factor of two per step. Returns the step, 0 if none
+  // was found.
+  template <typename Energy>
+  double line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                   const std::vector<Eigen::Vector2d>& direction, std::vector<Eigen::Vector2d>& uv,
+                   std::vector<Eigen::Vector2d>& trial, Newton_result& result) const
+  {
+    constexpr double armijo = 1e-4, backtracking = 0.5, margin = 0.9;
+    constexpr int maximum_trials = 60;
+    const auto move = [&](double t)
+    {
+      for(std::size_t v = 0; v < uv.size(); ++v)
+        trial[v] = uv[v] + t * direction[v];
+    };
+    const auto energy_at = [&](double t)
+    {
+      move(t);
+      return energy<Energy>(shapes, weights, trial);
+    };
+    const double longest = margin * step_to_first_flip(m_triangles, uv, direction);
+    const double first = (std::min)(1., longest);
+    double t = first, e = energy_at(t);
+    for(int i = 0; i < maximum_trials && !(e <= result.energy - armijo * t * result.decrement); ++i)
+      e = energy_at(t *= backtracking);
+    if(!(e <= result.energy - armijo * t * result.decrement))
+      return 0;
+    if(t == first)
+      for(double longer = 2 * t; longer < longest; longer *= 2)
+      {
+        const double next = energy_at(longer);
+        if(!(next < e))
+        {
+          move(t);
+          break;
+        }
+        e = next;
+        t = longer;
+      }
+    result.energy = e;
+    uv.swap(trial);
+    return t;
+  }
+
+  std::vector<Triangle> m_triangles;
+  Newton_system m_system;
+  std::unique_ptr<Linear_solver> m_solver;
+  Eigen::VectorXd m_step;
+  std::vector<Curvature_pair> m_memory;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SOLVER_H

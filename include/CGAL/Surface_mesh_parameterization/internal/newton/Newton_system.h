@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SYSTEM_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SYSTEM_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// The sparse system of a Newton step: gradient and Hessian of a sum of triangle energies. The
+// pattern, the places of all entries in it and the order of the unknowns are found once.
+class Newton_system
+{
+public:
+  Newton_system() = default;
+
+  // Vertices with `is_fixed` have no unknowns (empty: none is fixed). O(n log n).
+  Newton_system(const std::vector<Triangle>& triangles, int number_of_vertices,
+                const std::vector<char>& is_fixed)
+    : m_positions(number_of_vertices, -1)
+  {
+    order_unknowns(triangles, is_fixed);
+    build_pattern(triangles);
+  }
+
+  int number_of_unknowns() const { return int(m_gradient.size()); }
+  const Sparse_matrix& hessian() const { return m_hessian; }
+  const Eigen::VectorXd& gradient() const { return m_gradient; }
+  // The first unknown of a vertex, or a negative number for a fixed or unused one.
+  int unknown(int v) const { return 2 * m_positions[v]; }
+
+  // Sums weight * energy over the triangles. A diagonal entry grows by the fraction `shift` of
+  // itself; this fixes the gauge where the energy does not depend on scale and rotation, without
+  // damping stiff and soft regions alike as a constant would.
+  template <typename Energy>
+  double assemble(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
+                  const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv,
+                  double shift)
+  {
+    std::fill_n(m_hessian.valuePtr(), m_hessian.nonZeros(), 0.);
+    m_gradient.setZero();
+    double* values = m_hessian.valuePtr();
+    double energy = 0;
+    Triangle_terms terms;
+    for(std::size_t f = 0; f < triangles.size(); ++f)
+    {
+      const Triangle& t = triangles[f];
+      const double w = weights[f];
+      triangle_terms<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], terms);
+      energy += w * terms.value;
+      for(int k = 0; k < 3; ++k)
+      {
+        const int p = m_positions[t[k]];
+        if(p < 0)
+          continue;
+        m_gradient.segment<2>(2 * p) += w * terms.gradient[k];
+        double* d = values + m_diagonal[p];
+        const int stride = m_column_sizes[p];
+        d[0] += w * terms.diagonal[k](0, 0);
+        d[stride] += w * terms.diagonal[k](0, 1);
+        d[stride + 1] += w * terms.diagonal[k](1, 1);
+        add_mixed(values, m_mixed[3 * f + k], p, m_positions[t[(k + 1) % 3]], w, terms.mixed[k]);
+      }
+    }
+    for(std::size_t p = 0; p < m_diagonal.size(); ++p)
+    {
+      values[m_diagonal[p]] *= 1 + shift;
+      values[m_diagonal[p] + m_column_sizes[p] + 1] *= 1 + shift;
+    }
+    return energy;
+  }
+
+  // The gradient of the same sum, without the Hessian.
+  template <typename Energy>
+  void assemble_gradient(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
+                         const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv)
+  {
+    m_gradient.setZero();
+    Eigen::Vector2d gradient[3];
+    for(std::size_t f = 0; f < triangles.size(); ++f)
+    {
+      const Triangle& t = triangles[f];
+      triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient);
+      for(int k = 0; k < 3; ++k)
+        if(m_positions[t[k]] >= 0)
+          m_gradient.segment<2>(2 * m_positions[t[k]]) += weights[f] * gradient[k];
+    }
+  }
+
+private:
+  static void add_to_block(double* block, int stride, double a00, double a01, double a10, double a11)
+  {
+    block[0] += a00;
+    block[1] += a10;
+    block[stride] += a01;
+    block[stride + 1] += a11;
+  }
+
+  // `m` belongs to rows of p and columns of q; the upper triangle keeps it where p < q.
+  void add_mixed(double* values, int entry, int p, int q, double w, const Eigen::Matrix2d& m) const
+  {
+    if(entry < 0)
+      return;
+    if(p < q)
+      add_to_block(values + entry, m_column_sizes[q], w * m(0, 0), w * m(0, 1), w * m(1, 0), w * m(1, 1));
+    else
+      add_to_block(values + entry, m_column_sizes[p], w * m(0, 0), w * m(1, 0), w * m(0, 1), w * m(1, 1));
+  }
+
+  void order_unknowns(const std::vector<Triangle>& triangles, const std::vector<char>& is_fixed)
+  {
+    std::vector<int> compact(m_positions.size(), -1);
+    std::vector<int> vertices;
+    for(const Triangle& t : triangles)
+      for(int v : t)
+        if(compact[v] < 0 && (is_fixed.empty() || !is_fixed[v]))
+        {
+          compact[v] = int(vertices.size());
+          vertices.push_back(v);
+        }
+    const int n = int(vertices.size());
+    std::vector<std::array<int, 2> > pairs;
+    pairs.reserve(6 * triangles.size() + n);
+    for(int i = 0; i < n; ++i)
+      pairs.push_back({i, i});
+    for(const Triangle& t : triangles)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int p = compact[t[k]], q = compact[t[(k + 1) % 3]];
+        if(p >= 0 && q >= 0)
+        {
+          pairs.push_back({p, q});
+          pairs.push_back({q, p});
+        }
+      }
+    const std::vector<int> order = fill_reducing_order(adjacency(n, pairs));
+    for(int i = 0; i < n; ++i)
+      m_positions[vertices[order[i]]] = i;
+  }
+
+  static Sparse_matrix adjacency(int n, const std::vector<std::array<int, 2> >& pairs)
+  {
+    std::vector<int> starts(n + 1, 0);
+    for(const auto& p : pairs)
+      ++starts[p[0] + 1];
+    for(int i = 0; i < n; ++i)
+      starts[i + 1] += starts[i];
+    std::vector<int> rows(pairs.size()), end(starts.begin(), starts.end() - 1);
+    for(const auto& p : pairs)
+      rows[end[p[0]]++] = p[1];
+    Sparse_matrix matrix(n, n);
+    matrix.reserve(Eigen::Index(pairs.size() + n));
+    for(int c = 0; c < n; ++c)
+    {
+      std::sort(rows.begin() + starts[c], rows.begin() + starts[c + 1]);
+      const auto last = std::unique(rows.begin() + starts[c], rows.begin() + starts[c + 1]);
+      matrix.startVec(c);
+      for(auto it = rows.begin() + starts[c]; it != last; ++it)
+        matrix.insertBack(*it, c) = 1;
+    }
+    matrix.finalize();
+    return matrix;
+  }
+
+  void build_pattern(const std::vector<Triangle>& triangles)
+  {
+    const int n = 1 + (m_positions.empty() ? -1 : *std::max_element(m_positions.begin(), m_positions.end()));
+    std::vector<std::array<int, 2> > pairs; // column, row with row < column
+    pairs.reserve(3 * triangles.size());
+    for(const Triangle& t : triangles)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int p = m_positions[t[k]], q = m_positions[t[(k + 1) % 3]];
+        if(p >= 0 && q >= 0)
+          pairs.push_back({(std::max)(p, q), (std::min)(p, q)});
+      }
+    const Sparse_matrix blocks = adjacency(n, pairs);
+
+    m_hessian.resize(2 * n, 2 * n);
+    m_hessian.resizeNonZeros(4 * blocks.nonZeros() + 3 * n);
+    m_diagonal.resize(n);
+    m_column_sizes.resize(n);
+    int* outer = m_hessian.outerIndexPtr();
+    int* inner = m_hessian.innerIndexPtr();
+    int entry = 0;
+    for(int c = 0; c < n; ++c)
+      for(int second = 0; second < 2; ++second)
+      {
+        outer[2 * c + second] = entry;
+        for(Sparse_matrix::InnerIterator it(blocks, c); it; ++it)
+        {
+          inner[entry++] = 2 * int(it.row());
+          inner[entry++] = 2 * int(it.row()) + 1;
+        }
+        if(second == 0)
+        {
+          m_diagonal[c] = entry;
+          m_column_sizes[c] = entry + 1 - outer[2 * c];
+        }
+        inner[entry++] = 2 * c;
+        if(second == 1)
+          inner[entry++] = 2 * c + 1;
+      }
+    outer[2 * n] = entry;
+    m_gradient.setZero(2 * n);
+    locate_mixed_blocks(triangles, blocks);
+  }
+
+  void locate_mixed_blocks(const std::vector<Triangle>& triangles, const Sparse_matrix& blocks)
+  {
+    m_mixed.assign(3 * triangles.size(), -1);
+    for(std::size_t f = 0; f < triangles.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int p = m_positions[triangles[f][k]], q = m_positions[triangles[f][(k + 1) % 3]];
+        if(p < 0 || q < 0)
+          continue;
+        const int column = (std::max)(p, q), row = (std::min)(p, q);
+        const int* first = blocks.innerIndexPtr() + blocks.outerIndexPtr()[column];
+        const int* last = blocks.innerIndexPtr() + blocks.outerIndexPtr()[column + 1];
+        m_mixed[3 * f + k] = m_hessian.outerIndexPtr()[2 * column]
+                           + 2 * int(std::lower_bound(first, last, row) - first);
+      }
+  }
+
+  std::vector<int> m_positions;    // per vertex, in the order of elimination
+  Sparse_matrix m_hessian;         // upper triangle
+  Eigen::VectorXd m_gradient;
+  std::vector<int> m_diagonal;     // per position, where its 2x2 diagonal block starts
+  std::vector<int> m_column_sizes; // per position, distance between its two columns
+  std::vector<int> m_mixed;        // per halfedge, where the block of its two vertices starts
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SYSTEM_H
