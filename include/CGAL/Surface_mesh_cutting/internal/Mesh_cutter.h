@@ -22,7 +22,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <algorithm>
 #include <atomic>
@@ -142,7 +142,7 @@ private:
   {
     std::vector<Component_result> parts(components.size());
     std::atomic<int> first_failure(int(components.size()));
-    CGAL::internal::Steiner_tree::for_each_index<ConcurrencyTag>(int(components.size()), [&](int i)
+    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(components.size()), [&](int i)
     {
       if(i > first_failure)
         return;

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <CGAL/AABB_tree.h>
 #if CGAL_VERSION_NR < 1060000000
@@ -141,7 +141,7 @@ std::optional<std::vector<double> > visibilities(const Flat_mesh& mesh, int numb
     return std::nullopt;
   const Visibility visibility(mesh, number_of_rays, random_seed);
   std::vector<double> result(mesh.number_of_edges());
-  CGAL::internal::Steiner_tree::for_each_index<ConcurrencyTag>(mesh.number_of_edges(), [&](int e) {
+  CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(mesh.number_of_edges(), [&](int e) {
     if(e % edges_per_question == 0)
       control.go_further();
     if(!control.is_stopped())
