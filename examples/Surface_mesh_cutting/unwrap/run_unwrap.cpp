@@ -91,9 +91,7 @@ Exit_code exit_code_of(Status_code code)
     case Status_code::EMPTY_MESH:
     case Status_code::NOT_TRIANGULATED:
     case Status_code::NON_MANIFOLD:
-    case Status_code::INCONSISTENT_ORIENTATION:
     case Status_code::INVALID_POINT:
-    case Status_code::UNSUPPORTED_TOPOLOGY:
     case Status_code::INFEASIBLE_CONSTRAINTS: return Exit_code::UNSUPPORTED;
     case Status_code::NOT_CUT_TO_DISKS:
     case Status_code::NUMERICAL_FAILURE:

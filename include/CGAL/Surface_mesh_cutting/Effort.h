@@ -22,7 +22,8 @@ namespace Surface_mesh_cutting {
 /// how much work to spend on a short cut; the value of the named parameter `effort`.
 enum class Effort
 {
-  FAST,    ///< feature detection and connection only, unless `maximum_distortion` requires more
+  FAST,    ///< feature detection and connection only, unless a bound or an initial cut requires more, or the connected
+           ///< cut is twice as distorted as that of the detection
   DEFAULT, ///< also a few attempts to shorten the cut at about the same distortion
   BEST     ///< several starts at full resolution, each with many such attempts; the best result wins
 };

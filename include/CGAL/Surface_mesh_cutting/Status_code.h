@@ -27,10 +27,7 @@ enum class Status_code
   NOT_TRIANGULATED,        ///< a face is not a triangle. Witness: faces.
   NON_MANIFOLD,            ///< an edge with more than two faces, a vertex whose faces form
                            ///  more than one fan, or a face given twice. Witness: vertices or faces.
-  INCONSISTENT_ORIENTATION,///< neighboring faces disagree about which side is up. Witness: faces. For programs that
-                           ///  read polygon soups; the faces of a halfedge data structure always agree.
   INVALID_POINT,           ///< a coordinate is infinite or not a number. Witness: vertices.
-  UNSUPPORTED_TOPOLOGY,    ///< a part of the surface has a handle where genus 0 is needed. Witness: faces.
   WRONG_PARAMETER,         ///< a parameter is out of its range, which the message names, or a weight is negative or
                            ///  not a number. Witness: the edges or faces concerned, if any.
   INFEASIBLE_CONSTRAINTS,  ///< no cut satisfies the constraints. Witness: the elements in conflict.

@@ -52,10 +52,10 @@ struct Cut_result
 
   double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
   double cut_length = 0;            ///< total length of the cut edges.
-  /// a lower bound on the length of any cut through the same feature points and along the constrained
-  /// edges; empty if no bound was computed, as with weights other than lengths.
+  /// a lower bound on the length of any cut through the same feature points, along the constrained edges and the
+  /// loops that cut the handles; empty if no bound was computed, as with weights other than lengths.
   std::optional<double> cut_lower_bound;
-  /// whether no cut through the same feature points is shorter; empty if no bound was computed.
+  /// whether no such cut is shorter; empty if no bound was computed.
   std::optional<bool> optimal;
 
   /// what other cuts offer, from short to long: the cuts that the run considered, without those that are neither
@@ -78,8 +78,10 @@ struct Cut_result
 template <typename TriangleMesh>
 struct Unwrap_result : public Cut_result<TriangleMesh>
 {
-  double E_iso = 0; ///< area-averaged symmetric Dirichlet energy of the UVs; 4 is ideal.
-  double E_max = 0; ///< largest symmetric Dirichlet energy of a face.
+  /// area-averaged symmetric Dirichlet energy of the UVs as the map holds them; 4 is ideal. Faces of no area do not
+  /// count; those of nearly none are mapped as if they were thicker, yet measured as they are.
+  double E_iso = 0;
+  double E_max = 0; ///< largest symmetric Dirichlet energy of a face that has an area.
   int flips = 0;    ///< number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.
   /// number of overlaps, decided exactly; empty without `do_bijective`, and 0 if there is a result.
   std::optional<int> overlaps;

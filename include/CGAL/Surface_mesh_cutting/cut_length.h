@@ -31,7 +31,7 @@ namespace Surface_mesh_cutting {
 /// computes the length of a cut: the sum of the lengths of the marked edges.
 /// Border edges are already open and do not count.
 ///
-/// The computation takes place in `double`, with rounding, for coordinates of any size. The time is
+/// The computation takes place in `double`, with rounding; no square of a length overflows. The time is
 /// linear in the number of edges.
 ///
 /// \tparam TriangleMesh a model of `EdgeListGraph` and `HalfedgeGraph`

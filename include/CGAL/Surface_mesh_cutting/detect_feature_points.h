@@ -44,6 +44,11 @@ namespace Surface_mesh_cutting {
 /// \param out receives the feature points, ordered by their position in `vertices(tmesh)`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
+/// Where feature points are detected on a coarser version of the surface, a cut through them is shortened there, and
+/// only the points that it needs are output: that is what effort, bound and connection are for.
+///
+/// \copydetails PkgSurfaceMeshCuttingQualityParameters
+/// \copydetails PkgSurfaceMeshCuttingConnectionParameters
 /// \copydetails PkgSurfaceMeshCuttingConstraintParameters
 /// \copydetails PkgSurfaceMeshCuttingFeatureParameters
 /// \copydetails PkgSurfaceMeshCuttingRunParameters
@@ -60,8 +65,9 @@ Cut_result<TriangleMesh> detect_feature_points(const TriangleMesh& tmesh, Vertex
 {
   const Cut_result<TriangleMesh> result
     = internal::run<ConcurrencyTag>(tmesh, internal::Goal::FEATURES, internal::Ignore_result(), np);
-  for(auto v : result.feature_points)
-    *out++ = v;
+  if(result)
+    for(auto v : result.feature_points)
+      *out++ = v;
   return result;
 }
 

@@ -145,10 +145,10 @@ private:
   void judge(int v, const std::vector<int>& path, std::deque<int>& queue)
   {
     std::deque<Proposal> proposals(1, proposal(v, path));
-    // A candidate on the cut cannot be judged; it stays, so that what it gains is not lost when the
-    // features are connected in another way.
+    // A candidate on the cut gains nothing, for which the paper rejects it. Beyond the paper it stays, so that
+    // what it has gained is not lost when the features are connected in another way.
     const std::size_t accepted
-      = path.empty() ? 0 : m_maps.open_first_useful([&](std::size_t i) -> const Proposal*
+      = path.empty() ? std::size_t(m_parameters.is_faithful) : m_maps.open_first_useful([&](std::size_t i) -> const Proposal*
         {
           return i < proposals.size() || look_ahead(queue, proposals) ? &proposals[i] : nullptr;
         });

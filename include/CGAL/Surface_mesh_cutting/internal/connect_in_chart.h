@@ -22,6 +22,8 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -155,9 +157,7 @@ private:
 
   Flat_status check_part(const Part& part, int index) const
   {
-    if(m_topologies[index].genus() > 0)
-      return Flat_status(Status_code::UNSUPPORTED_TOPOLOGY, "a part with a handle",
-                         Element_kind::FACE, faces(index));
+    CGAL_assertion(m_topologies[index].genus() == 0); // handles are cut first
     if(part.is_closed && part.terminals.size() < 2)
       return Flat_status(Status_code::WRONG_PARAMETER,
                          "a closed part in which less than two vertices are to be connected",
