@@ -179,13 +179,13 @@ private:
     return true;
   }
 
-  // A bound that so many slits do not reach is out of reach. Each takes a solve of the whole, hence the
-  // product: about half a minute, and ten times what bounds take that are reached.
+  // A bound that so many slits do not reach is out of reach: bounds that are reached take less than half as
+  // many. Each slit takes a solve of the whole; on small surfaces, all take about half a minute.
   bool open_slits_until(double bound, double least_gain)
   {
-    constexpr double maximum_number_of_solved_faces = 1e7;
-    const double maximum_number_of_slits
-      = (m_map.is_hopeless() ? 0.1 : 1) * maximum_number_of_solved_faces / m_mesh.number_of_faces();
+    constexpr int enough_slits = 200, enough_solved_faces = 2000000;
+    const int maximum_number_of_slits
+      = (std::max)(enough_slits, enough_solved_faces / m_mesh.number_of_faces()) / (m_map.is_hopeless() ? 10 : 1);
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     for(int i = 0; m_map.energy() > bound && m_control.go_further(); ++i)
     {
