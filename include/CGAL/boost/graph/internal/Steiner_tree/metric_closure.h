@@ -30,6 +30,26 @@ namespace Steiner_tree {
 
 using Graph_kernel::Csr_edge_descriptor;
 
+// of parallel edges the shortest ones (the first of equals)
+inline std::vector<int> shortest_parallel_edges(const Csr_graph& graph)
+{
+  std::vector<int> best(graph.number_of_vertices(), -1), result;
+  for(int v = 0; v < graph.number_of_vertices(); ++v) {
+    for(int i = graph.offsets[v]; i < graph.offsets[v + 1]; ++i) {
+      int& e = best[graph.arcs[i].target];
+      if(e < 0 || graph.arcs[i].weight < graph.edges[e].weight)
+        e = graph.arcs[i].edge;
+    }
+    for(int i = graph.offsets[v]; i < graph.offsets[v + 1]; ++i) {
+      int& e = best[graph.arcs[i].target];
+      if(e >= 0 && v < graph.arcs[i].target)
+        result.push_back(e);
+      e = -1;
+    }
+  }
+  return result;
+}
+
 // Writes the edges of the tree of Kou, Markowsky and Berman (1981; paper, Section 3.2): a minimum spanning tree of the
 // metric closure of the terminals, as the union of its shortest paths. Mehlhorn (1988) reads one such tree off a single
 // search from all terminals: the shortest connections among the edges that join the regions of two terminals. As
@@ -65,9 +85,8 @@ OutputIterator metric_closure_tree(const Graph& graph,
     }
   };
   const Csr_graph closure(int(terminals.size()), std::move(connections));
-  const auto length_and_index = [](const Csr_edge_descriptor& c) { return std::make_pair(c.weight, c.edge); };
-  for(const Csr_edge_descriptor& connection : kruskal_forest(closure, length_and_index)) {
-    const edge_descriptor& bridge = bridges[connection.edge];
+  for(int connection : minimum_spanning_forest(closure, shortest_parallel_edges(closure))) {
+    const edge_descriptor& bridge = bridges[connection];
     *tree_edges++ = bridge;
     add_path(source(bridge, graph));
     add_path(target(bridge, graph));
