@@ -50,7 +50,7 @@ struct Contracted_surface
       if(node < 0)
         node = number_of_nodes++;
 
-    std::vector<CGAL::internal::Steiner_tree::Edge> edges;
+    std::vector<CGAL::internal::Graph_kernel::Edge> edges;
     for(int h = 0; h < int(chart.opposites().size()); ++h)
       if(h < chart.opposite(h))
       {

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -34,7 +34,7 @@ using Surface_mesh_parameterization::internal::Triangle;
 using Surface_mesh_parameterization::internal::next_halfedge;
 using Surface_mesh_parameterization::internal::previous_halfedge;
 
-using CGAL::internal::Steiner_tree::Csr_graph;
+using CGAL::internal::Graph_kernel::Csr_graph;
 
 using Point = Eigen::Vector3d;
 
@@ -51,7 +51,7 @@ public:
       m_opposites(std::move(opposites))
   {
     number_edges();
-    std::vector<CGAL::internal::Steiner_tree::Edge> edges;
+    std::vector<CGAL::internal::Graph_kernel::Edge> edges;
     edges.reserve(m_edge_halfedges.size());
     for(int e = 0; e < number_of_edges(); ++e)
       edges.push_back({source(halfedge(e)), target(halfedge(e)), length(e)});

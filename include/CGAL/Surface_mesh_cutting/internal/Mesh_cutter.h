@@ -23,7 +23,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/flat_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <algorithm>
 #include <atomic>
@@ -140,7 +140,7 @@ private:
   {
     std::vector<Component_result> parts(components.size());
     std::atomic<int> first_failure(int(components.size()));
-    CGAL::internal::Steiner_tree::for_each_index<ConcurrencyTag>(int(components.size()), [&](int i)
+    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(components.size()), [&](int i)
     {
       if(i > first_failure)
         return;

@@ -16,8 +16,9 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/Contracted_surface.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/spanning_forest.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,8 +30,8 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using CGAL::internal::Steiner_tree::Disjoint_sets;
-using CGAL::internal::Steiner_tree::Shortest_paths;
+using CGAL::internal::Graph_kernel::Disjoint_sets;
+using CGAL::internal::Graph_kernel::Shortest_paths;
 
 // Splits the edges of a surface into a spanning forest, one of the dual graph that does not cross
 // it, and 2g generators (Erickson and Whittlesey 2005). The edges of the first and the last
@@ -128,7 +129,7 @@ private:
         sums[f * m_number_of_words + i / 64] ^= bit;
     }
 
-    std::vector<CGAL::internal::Steiner_tree::Edge> dual_edges;
+    std::vector<CGAL::internal::Graph_kernel::Edge> dual_edges;
     for(int e : cotree)
       dual_edges.push_back({first_face(e), second_face(e), 0.});
     const Csr_graph dual(m_chart.number_of_triangles(), std::move(dual_edges));
@@ -178,7 +179,7 @@ private:
     m_cut_graph.insert(m_cut_graph.end(), m_generators.begin(), m_generators.end());
     std::sort(m_cut_graph.begin(), m_cut_graph.end());
     const std::vector<char> no_terminals(graph.number_of_vertices(), 0);
-    CGAL::internal::Steiner_tree::prune_leaves(graph, no_terminals, m_cut_graph);
+    CGAL::internal::Graph_kernel::prune_leaves(graph, no_terminals, m_cut_graph);
     for(int e : m_cut_graph)
       for(int v : {graph.edges[e].source, graph.edges[e].target})
         m_cut_graph_nodes.push_back(v);

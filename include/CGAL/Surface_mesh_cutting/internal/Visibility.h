@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/flatness.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <CGAL/AABB_tree.h>
 #if CGAL_VERSION_NR < 1060000000
@@ -135,7 +135,7 @@ std::vector<double> visibilities(const Flat_mesh& mesh, int number_of_rays,
 {
   const Visibility visibility(mesh, number_of_rays, random_seed);
   std::vector<double> result(mesh.number_of_edges());
-  CGAL::internal::Steiner_tree::for_each_index<ConcurrencyTag>(
+  CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(
     mesh.number_of_edges(), [&](int e) { result[e] = visibility(e); });
   return result;
 }

@@ -124,7 +124,7 @@ private:
         nodes.push_back(node);
       }
 
-    std::vector<std::vector<CGAL::internal::Steiner_tree::Edge> > edges(parts.size());
+    std::vector<std::vector<CGAL::internal::Graph_kernel::Edge> > edges(parts.size());
     for(int e = 0; e < m_surface.graph.number_of_edges(); ++e)
     {
       if(m_constraints.is_forbidden(m_mesh.edge(halfedge(e))))

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <algorithm>
 #include <iterator>
@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using CGAL::internal::Steiner_tree::Shortest_paths;
+using CGAL::internal::Graph_kernel::Shortest_paths;
 
 inline double average_edge_length(const Flat_mesh& mesh)
 {

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Candidate_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ struct Region_graph
                const std::vector<char>& is_in_region)
   {
     const std::vector<char> is_in_graph = edges_of_faces(mesh, is_in_region);
-    std::vector<CGAL::internal::Steiner_tree::Edge> weighted;
+    std::vector<CGAL::internal::Graph_kernel::Edge> weighted;
     for(int e = 0; e < mesh.number_of_edges(); ++e)
       if(is_in_graph[e] && !constraints.is_forbidden(e))
       {
@@ -51,7 +52,7 @@ struct Region_graph
   // The largest set of the given vertices that the graph connects.
   std::vector<int> largest_connected_set(const std::vector<int>& vertices) const
   {
-    CGAL::internal::Steiner_tree::Disjoint_sets sets(graph.number_of_vertices());
+    CGAL::internal::Graph_kernel::Disjoint_sets sets(graph.number_of_vertices());
     for(const auto& edge : graph.edges)
       sets.unite(edge.source, edge.target);
     std::vector<int> sizes(graph.number_of_vertices(), 0);

@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 
 #include <algorithm>
 #include <limits>
@@ -47,7 +47,7 @@ public:
       m_island(m_surface.graph.number_of_vertices()), m_nodes(m_island.size(), 0),
       m_edges(m_island.size(), 0)
   {
-    CGAL::internal::Steiner_tree::Disjoint_sets sets(int(m_island.size()));
+    CGAL::internal::Graph_kernel::Disjoint_sets sets(int(m_island.size()));
     for(int e = 0; e < m_surface.graph.number_of_edges(); ++e)
       if(is_allowed(e))
         sets.unite(m_surface.graph.edges[e].source, m_surface.graph.edges[e].target);

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -45,7 +45,7 @@ int number_of_threads()
 template <typename ConcurrencyTag, typename Function>
 void for_each_index_in_isolation(int size, const Function& f)
 {
-  using CGAL::internal::Steiner_tree::for_each_index;
+  using CGAL::internal::Graph_kernel::for_each_index;
 #ifdef CGAL_LINKED_WITH_TBB
   if(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
   {
