@@ -48,8 +48,8 @@ class Component_cutter
     Edge_constraints constraints;
     const std::vector<int> terminals;
 
-    Resolution(const Flat_mesh& m, Edge_constraints c, std::vector<int> t)
-      : mesh(m), shapes(Surface_mesh_parameterization::internal::rest_shapes(m.triangles(), m.points())),
+    Resolution(const Flat_mesh& m, Edge_constraints c, std::vector<int> t, double lowest_face)
+      : mesh(m), shapes(Surface_mesh_parameterization::internal::rest_shapes(m.triangles(), m.points(), lowest_face)),
         constraints(std::move(c)), terminals(std::move(t))
     {}
   };
@@ -61,7 +61,7 @@ public:
                    const Cutting_parameters& parameters, Run_control& control, Phase_clock& clock)
     : m_is_sphere(component.topology.genus() == 0 && component.topology.border_loops == 0),
       m_parameters(parameters), m_control(control), m_clock(clock),
-      m_fine(component.mesh, constraints, terminals), m_initial(initial)
+      m_fine(component.mesh, constraints, terminals, Surface_mesh_parameterization::internal::minimal_height), m_initial(initial)
   {}
 
   Component_result detect()
@@ -207,7 +207,8 @@ private:
       const Phase_clock::Measurement measurement(m_clock, Phase::CANDIDATES);
       return Coarse_mesh(m_fine.mesh, m_parameters.coarse_number_of_faces / 2);
     }();
-    Resolution resolution(coarse.mesh, unconstrained(coarse.mesh), {});
+    Resolution resolution(coarse.mesh, unconstrained(coarse.mesh), {},
+                          Surface_mesh_parameterization::internal::minimal_coarse_height);
     result.status = cut_handles_of(resolution);
     if(!result.status)
       return {};

@@ -48,12 +48,14 @@ inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
 // Of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates are
 // rounded to 1e-16 of the whole.
 constexpr double minimal_height = 1e-10;
+// Of coarser versions, whose flattest triangles simplification made: a rough shape does, and is easier to map.
+constexpr double minimal_coarse_height = 1e-7;
 
-// From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get a
-// minimal height relative to their longest edge, and points become equilateral with sides of
+// From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get at least the
+// height `lowest` relative to their longest edge, and points become equilateral with sides of
 // `minimal_edge`, so that every triangle can be mapped without a flip and without an infinite energy.
 inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                             const Eigen::Vector3d& c, double minimal_edge)
+                             const Eigen::Vector3d& c, double minimal_edge, double lowest)
 {
   // The longest edge carries the frame: this is the most accurate choice for needles.
   const Eigen::Vector3d* p[3] = {&a, &b, &c};
@@ -65,7 +67,7 @@ inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const double base = is_point ? minimal_edge : length;
   const double x = is_point ? 0.5 * base : f.dot(e) / length;
   const double height = is_point ? std::sqrt(0.75) * base
-                                 : (std::max)(e.cross(f).norm() / length, minimal_height * base);
+                                 : (std::max)(e.cross(f).norm() / length, lowest * base);
   Eigen::Vector2d q[3];
   q[k] = Eigen::Vector2d(0, 0);
   q[(k + 1) % 3] = Eigen::Vector2d(base, 0);
@@ -85,13 +87,14 @@ inline double minimal_edge(const std::vector<Triangle>& triangles, const std::ve
 
 // The shapes of all triangles of a surface in space.
 inline std::vector<Rest_shape> rest_shapes(const std::vector<Triangle>& triangles,
-                                           const std::vector<Eigen::Vector3d>& points)
+                                           const std::vector<Eigen::Vector3d>& points,
+                                           double lowest = minimal_height)
 {
   const double shortest = minimal_edge(triangles, points);
   std::vector<Rest_shape> shapes;
   shapes.reserve(triangles.size());
   for(const Triangle& t : triangles)
-    shapes.push_back(rest_shape(points[t[0]], points[t[1]], points[t[2]], shortest));
+    shapes.push_back(rest_shape(points[t[0]], points[t[1]], points[t[2]], shortest, lowest));
   return shapes;
 }
 

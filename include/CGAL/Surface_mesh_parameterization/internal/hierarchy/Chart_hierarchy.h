@@ -163,7 +163,8 @@ private:
   Rest_shape shape(int h) const
   {
     const auto point = [&](int i) -> const Eigen::Vector3d& { return m_points[m_chart.source(i)]; };
-    return rest_shape(point(h), point(next_halfedge(h)), point(previous_halfedge(h)), m_minimal_edge);
+    return rest_shape(point(h), point(next_halfedge(h)), point(previous_halfedge(h)), m_minimal_edge,
+                      minimal_coarse_height);
   }
 
   Collapsible_chart m_chart;

@@ -44,14 +44,22 @@ struct Csr_arc_to_edge
   const Csr_graph* graph = nullptr;
   int source = -1;
 
-  Csr_edge_descriptor operator()(int i) const { const Csr_graph::Arc& arc = graph->arcs[i]; return {source, arc.target, arc.edge, arc.weight}; }
+  Csr_edge_descriptor operator()(int i) const
+  {
+    const Csr_graph::Arc& arc = graph->arcs[i];
+    return {source, arc.target, arc.edge, arc.weight};
+  }
 };
 
 struct Csr_index_to_edge
 {
   const Csr_graph* graph = nullptr;
 
-  Csr_edge_descriptor operator()(int e) const { return {graph->edges[e].source, graph->edges[e].target, e, graph->edges[e].weight}; }
+  Csr_edge_descriptor operator()(int e) const
+  {
+    const Edge& edge = graph->edges[e];
+    return {edge.source, edge.target, e, edge.weight};
+  }
 };
 
 struct Csr_traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag, boost::edge_list_graph_tag
@@ -63,8 +71,6 @@ struct Csr_weight_map
   typedef double value_type;
   typedef double reference;
   typedef boost::readable_property_map_tag category;
-
-  const Csr_graph* graph;
 
   friend double get(const Csr_weight_map&, const Csr_edge_descriptor& e) { return e.weight; }
 };
@@ -146,7 +152,7 @@ inline std::pair<Csr_traits::out_edge_iterator, Csr_traits::out_edge_iterator> o
           Iterator(boost::counting_iterator<int>(graph.offsets[v + 1]), descriptor)};
 }
 
-inline Csr_weight_map get(boost::edge_weight_t, const Csr_graph& graph) { return Csr_weight_map{&graph}; }
+inline Csr_weight_map get(boost::edge_weight_t, const Csr_graph&) { return Csr_weight_map(); }
 inline double get(boost::edge_weight_t, const Csr_graph& graph, const Csr_edge_descriptor& e)
 {
   return graph.edges[e.edge].weight;

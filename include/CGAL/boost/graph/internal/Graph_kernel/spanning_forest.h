@@ -77,36 +77,25 @@ public:
 };
 
 // the weights of edges with the edges' indices, which decide ties
-template <typename EdgeDescriptor, typename Function>
 struct Indexed_weight_map
 {
-  typedef EdgeDescriptor key_type;
+  typedef int key_type;
   typedef std::pair<double, int> value_type;
   typedef value_type reference;
   typedef boost::readable_property_map_tag category;
 
-  Function weight_and_index;
+  const Csr_graph* graph;
 
-  friend value_type get(const Indexed_weight_map& map, const key_type& e) { return map.weight_and_index(e); }
+  friend value_type get(const Indexed_weight_map& map, int e) { return value_type(map.graph->edges[e].weight, e); }
 };
 
-// Boost's minimum spanning forest; `weight_and_index` maps an edge to the pair of these
-template <typename Graph, typename Function>
-auto kruskal_forest(const Graph& graph, Function weight_and_index)
-{
-  typedef typename boost::graph_traits<Graph>::edge_descriptor edge_descriptor;
-  std::vector<edge_descriptor> forest;
-  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(forest),
-                                       boost::weight_map(Indexed_weight_map<edge_descriptor, Function>{weight_and_index})
-                                         .vertex_index_map(boost::typed_identity_property_map<int>()));
-  return forest;
-}
-
-// keeps of the candidate edges a minimum spanning forest
+// keeps of the candidate edges a minimum spanning forest, by Boost
 inline std::vector<int> minimum_spanning_forest(const Csr_graph& graph, const std::vector<int>& candidates)
 {
-  std::vector<int> forest = kruskal_forest(Edge_subgraph(graph, candidates),
-                                           [&](int e) { return std::make_pair(graph.edges[e].weight, e); });
+  std::vector<int> forest;
+  boost::kruskal_minimum_spanning_tree(Edge_subgraph(graph, candidates), std::back_inserter(forest),
+                                       boost::weight_map(Indexed_weight_map{&graph})
+                                         .vertex_index_map(boost::typed_identity_property_map<int>()));
   std::sort(forest.begin(), forest.end());
   return forest;
 }

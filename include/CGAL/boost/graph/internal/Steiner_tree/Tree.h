@@ -23,7 +23,6 @@ namespace Steiner_tree {
 
 using Graph_kernel::Csr_graph;
 using Graph_kernel::Edge;
-using Graph_kernel::kruskal_forest;
 using Graph_kernel::minimum_spanning_forest;
 using Graph_kernel::prune_leaves;
 using Graph_kernel::total_weight;
