@@ -16,7 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
 #include <CGAL/Surface_mesh_cutting/internal/Closing_search.h>
-#include <CGAL/Surface_mesh_cutting/internal/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
 
@@ -58,13 +59,12 @@ template <typename ConcurrencyTag>
 class Cut_refiner
 {
 public:
-  // `constraints` and `terminals`, which stay on the cut, as in `Component_cutter`; `control` and the
-  // other references are kept.
-  Cut_refiner(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
-              const std::vector<int>& terminals, const Cutting_parameters& parameters, Run_control& control)
-    : m_mesh(mesh), m_constraints(constraints), m_terminals(terminals), m_parameters(parameters),
-      m_control(control), m_slits(mesh, constraints), m_closings(mesh, constraints),
-      m_map(mesh, shapes, mapping_policy(parameters), control)
+  // The references are kept. What is mandatory, and the terminals, stay on the cut.
+  Cut_refiner(const Problem& problem, const Context& context)
+    : m_mesh(problem.mesh), m_constraints(problem.constraints), m_terminals(problem.terminals),
+      m_parameters(context.parameters), m_control(context.control), m_slits(problem.mesh, problem.constraints),
+      m_closings(problem.mesh, problem.constraints),
+      m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control)
   {}
 
   // Connects the features; call first.

@@ -14,11 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
-#include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
-#include <CGAL/Surface_mesh_cutting/internal/Initial_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/Phase_clock.h>
+#include <CGAL/Surface_mesh_cutting/internal/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
 
 #include <algorithm>
@@ -31,20 +29,15 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-inline Flat_status failure(const Run_control& control)
-{
-  if(control.is_stopped())
-    return stopped_status();
-  return Flat_status(Status_code::NUMERICAL_FAILURE, "no valid map of the opened surface was found");
-}
-
 struct Detected_features
 {
   Flat_status status;
   int number_of_candidates = 0;
   std::vector<int> features; // sorted, with the terminals
-  Open_chart chart;          // opened along the paths that led to them
+  Open_chart chart;          // opened along the paths that led to them; empty if found on a coarser version
   std::vector<Trade_off> trade_offs;
+  // The energy above which the cut through the features is worth a repair.
+  double repair_threshold = std::numeric_limits<double>::infinity();
 };
 
 // Candidates and filtering for one connected surface (paper, Section 3.1). A closed surface of genus
@@ -55,14 +48,10 @@ template <typename ConcurrencyTag>
 class Feature_detector
 {
 public:
-  // The handles are cut by what is mandatory in the constraints, and some cut satisfies these
-  // (`keep_one_island()`). The references are kept.
-  Feature_detector(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, bool is_sphere,
-                   const Edge_constraints& constraints, const std::vector<int>& terminals,
-                   const Initial_cut& initial, const Cutting_parameters& parameters, Run_control& control,
-                   Phase_clock& clock)
-    : m_mesh(mesh), m_shapes(shapes), m_is_sphere(is_sphere), m_constraints(constraints), m_terminals(terminals),
-      m_initial(initial), m_parameters(parameters), m_control(control), m_clock(clock)
+  // The references are kept.
+  Feature_detector(const Problem& problem, const Context& context)
+    : m_problem(problem), m_mesh(problem.mesh), m_parameters(context.parameters), m_context(context),
+      m_control(context.control)
   {}
 
   // From the `i`-th start.
@@ -75,32 +64,42 @@ public:
     std::vector<Candidate> candidates = find(start, opening, result);
     if(result.status)
       filter(start, opening, std::move(candidates), result);
+    result.repair_threshold = repair_threshold(result.trade_offs);
     return result;
   }
 
 private:
   // Whether the first cut is to be found yet.
-  bool is_closed() const { return m_is_sphere && !m_initial.is_given(); }
+  bool is_closed() const { return m_problem.is_sphere && !m_problem.initial.is_given(); }
+
+  // About the energy of a given cut; otherwise twice the filter's, which connecting exceeds on needle triangles
+  // only. The paper does not repair.
+  double repair_threshold(const std::vector<Trade_off>& cuts) const
+  {
+    if(!cuts.empty() && m_problem.initial.is_given())
+      return cuts.front().E_iso + m_parameters.minimum_distortion_decrease;
+    return cuts.empty() || m_parameters.is_faithful ? std::numeric_limits<double>::infinity() : 2 * cuts.back().E_iso;
+  }
 
   std::vector<Candidate> find(int start, Cut& opening, Detected_features& result)
   {
-    const Phase_clock::Measurement measurement(m_clock, Phase::CANDIDATES);
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::CANDIDATES);
     m_control.report(Phase::CANDIDATES, 0);
     if(!is_closed())
     {
       const auto go_further = [this] { return m_control.go_further(); };
       Connected_cut connection
-        = m_initial.is_given()
-        ? m_initial.connected<ConcurrencyTag>(m_mesh, m_constraints, m_terminals, go_further)
-        : connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_terminals, m_parameters.connection, go_further);
+        = m_problem.initial.is_given()
+        ? m_problem.initial.connected<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, go_further)
+        : connect_in_chart<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_parameters.connection, go_further);
       result.status = connection.status;
       if(!result.status)
         return {};
       opening = std::move(connection.cut);
     }
     std::vector<Candidate> candidates
-      = is_closed() ? find_candidates(m_mesh, m_shapes, start, m_parameters, m_control)
-                    : find_candidates_of_disk(m_mesh, m_shapes, opening, m_parameters, m_control);
+      = is_closed() ? find_candidates(m_mesh, m_problem.shapes, start, m_parameters, m_control)
+                    : find_candidates_of_disk(m_mesh, m_problem.shapes, opening, m_parameters, m_control);
     result.number_of_candidates = int(candidates.size());
     if(m_control.is_stopped())
       result.status = failure(m_control);
@@ -109,18 +108,18 @@ private:
 
   void filter(int start, const Cut& opening, std::vector<Candidate> candidates, Detected_features& result)
   {
-    const Phase_clock::Measurement measurement(m_clock, Phase::FILTER);
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::FILTER);
     keep_connectable(candidates);
     if(is_closed())
       add_far_vertices(start, candidates);
-    Greedy_filter<ConcurrencyTag> filter(m_mesh, m_shapes, m_constraints, m_terminals, m_parameters, m_control);
+    Greedy_filter<ConcurrencyTag> filter(m_problem, m_context);
     if(is_closed() ? filter.run(candidates) : filter.run_on_disk(opening, candidates))
       result.features = filter.features();
     else
       result.status = failure(m_control);
-    if(m_initial.is_given())
+    if(m_problem.initial.is_given())
       add(ends_and_forks(m_mesh, opening), result.features);
-    add(m_terminals, result.features);
+    add(m_problem.terminals, result.features);
     result.chart = filter.map().state();
     result.trade_offs = filter.trade_offs();
   }
@@ -129,14 +128,14 @@ private:
   // sphere; on other surfaces, they are connected from the outset.
   void keep_connectable(std::vector<Candidate>& candidates) const
   {
-    std::vector<char> is_kept = reachable_vertices(m_mesh, m_constraints);
-    for(int v : m_terminals)
+    std::vector<char> is_kept = reachable_vertices(m_mesh, m_problem.constraints);
+    for(int v : m_problem.terminals)
       is_kept[v] = 0;
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                     [&](const Candidate& c) { return !is_kept[c.vertex]; }),
                      candidates.end());
     if(is_closed())
-      for(int v : m_terminals)
+      for(int v : m_problem.terminals)
         candidates.push_back({v, std::numeric_limits<double>::infinity()});
   }
 
@@ -153,8 +152,8 @@ private:
   {
     if(candidates.size() >= 2)
       return;
-    const Cut allowed = allowed_edges(m_mesh, m_constraints);
-    const std::vector<char> is_reachable = reachable_vertices(m_mesh, m_constraints);
+    const Cut allowed = allowed_edges(m_mesh, m_problem.constraints);
+    const std::vector<char> is_reachable = reachable_vertices(m_mesh, m_problem.constraints);
     if(!is_reachable[start])
       start = int(std::find(is_reachable.begin(), is_reachable.end(), char(1)) - is_reachable.begin());
     Shortest_paths paths(m_mesh.graph());
@@ -165,15 +164,11 @@ private:
     candidates = {{one_end, infinity}, {other_end, infinity}};
   }
 
+  const Problem& m_problem;
   const Flat_mesh& m_mesh;
-  const std::vector<Rest_shape>& m_shapes;
-  const bool m_is_sphere;
-  const Edge_constraints& m_constraints;
-  const std::vector<int>& m_terminals;
-  const Initial_cut& m_initial;
   const Cutting_parameters& m_parameters;
+  const Context m_context;
   Run_control& m_control;
-  Phase_clock& m_clock;
 };
 
 } // namespace internal

@@ -15,6 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/Speculative_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/initial_features.h>
 
@@ -35,14 +37,14 @@ template <typename ConcurrencyTag>
 class Greedy_filter
 {
 public:
-  Greedy_filter(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                const Edge_constraints& constraints, const std::vector<int>& terminals,
-                const Cutting_parameters& parameters, Run_control& control)
-    : m_mesh(mesh), m_constraints(constraints), m_parameters(parameters), m_control(control), m_disks(mesh),
-      m_paths(mesh.graph()), m_maps(mesh, shapes, mapping_policy(parameters), control),
-      m_is_on_cut(mesh.number_of_vertices(), 0), m_is_terminal(mesh.number_of_vertices(), 0)
+  // The references are kept.
+  Greedy_filter(const Problem& problem, const Context& context)
+    : m_mesh(problem.mesh), m_constraints(problem.constraints), m_parameters(context.parameters),
+      m_control(context.control), m_disks(problem.mesh), m_paths(problem.mesh.graph()),
+      m_maps(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control),
+      m_is_on_cut(problem.mesh.number_of_vertices(), 0), m_is_terminal(problem.mesh.number_of_vertices(), 0)
   {
-    for(int v : terminals)
+    for(int v : problem.terminals)
       m_is_terminal[v] = 1;
   }
 

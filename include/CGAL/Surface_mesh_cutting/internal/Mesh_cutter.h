@@ -159,7 +159,7 @@ private:
     Component_result part;
     Edge_constraints constraints = restriction(m_constraints.edges, component);
     constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
-    const std::vector<int> terminals = inner_terminals(component, m_constraints.terminals);
+    std::vector<int> terminals = inner_terminals(component, m_constraints.terminals);
     part.status = keep_one_island(component.mesh, component.topology, terminals, constraints);
     if(!part.status)
       return part;
@@ -167,9 +167,14 @@ private:
     const double diagonal = bounding_box_diagonal(component.mesh);
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
     parameters.decrease_per_length /= diagonal;
-    const Initial_cut initial(component.restriction(m_constraints.initial));
-    Component_cutter<ConcurrencyTag> cutter(component, constraints, terminals, initial, parameters, m_control,
-                                            m_clock);
+    const Flat_mesh& mesh = component.mesh;
+    Problem problem{mesh,
+                    Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()),
+                    std::move(constraints),
+                    std::move(terminals),
+                    Initial_cut(component.restriction(m_constraints.initial)),
+                    component.topology.genus() == 0 && component.topology.border_loops == 0};
+    Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_control, m_clock});
     return goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
   }
 

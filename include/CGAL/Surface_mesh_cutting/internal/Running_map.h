@@ -14,7 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/Local_window.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mapping_policy.h>
+#include <CGAL/Surface_mesh_cutting/internal/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/candidates.h>
 
@@ -36,16 +38,6 @@ using Surface_mesh_parameterization::internal::Newton_state;
 using Surface_mesh_parameterization::internal::area_weights;
 using Surface_mesh_parameterization::internal::hopeless_energy;
 
-// A surface opened along a cut that leaves one disk, and its isometric map.
-struct Open_chart
-{
-  Cut cut;
-  Chart chart;
-  std::vector<Eigen::Vector2d> uv;
-  double energy = 0; // area-averaged, converged
-  double precision = std::numeric_limits<double>::infinity(); // the decrement that was reached, of the energy
-};
-
 // The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
 // stays flip-free and keeps its energy, so that every solve starts warm.
 class Running_map
@@ -55,7 +47,7 @@ public:
   Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
               Run_control& control, std::function<bool()> is_vain = [] { return false; })
     : m_mesh(mesh), m_shapes(shapes), m_policy(policy), m_weights(area_weights(shapes)), m_control(control),
-      m_is_vain(std::move(is_vain)), m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
+      m_is_vain(std::move(is_vain)), m_window(mesh)
   {}
 
   // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
@@ -175,7 +167,7 @@ public:
     double radius = 2 * total_length(m_mesh, slit);
     bool is_small = false;
     for(int i = 0; i < number_of_radii && !is_small; ++i, radius /= 2)
-      is_small = collect_window(slit, radius);
+      is_small = m_window.collect(slit, radius);
     double gain = 0;
     if(is_small)
       gain = solve_window(std::numeric_limits<double>::infinity(), 0);
@@ -262,7 +254,7 @@ private:
     double gain = 0;
     for(const Window& window : windows)
     {
-      if(!collect_window(slit, window.radius * total_length(m_mesh, slit)))
+      if(!m_window.collect(slit, window.radius * total_length(m_mesh, slit)))
         break;
       gain += solve_window(threshold, gain);
       if(gain > threshold || is_stopped())
@@ -302,76 +294,14 @@ private:
     return solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
   }
 
-  // Finds the triangles that touch the window: the vertices within `radius` of the slit are free, all
-  // others fixed. False if the window is no longer small against the chart.
-  bool collect_window(const std::vector<int>& slit, double radius)
-  {
-    constexpr double largest_share = 0.25;
-    const std::size_t largest = std::size_t(largest_share * m_mesh.number_of_faces());
-    m_reach.clear();
-    for(int e : slit)
-    {
-      m_reach.add_source(m_mesh.source(m_mesh.halfedge(e)));
-      m_reach.add_source(m_mesh.target(m_mesh.halfedge(e)));
-    }
-    std::vector<int> faces;
-    m_reach.run([&](int v)
-                {
-                  if(m_reach.distance(v) > radius || faces.size() > 6 * largest)
-                    return false;
-                  for(int a = m_mesh.graph().offsets[v]; a < m_mesh.graph().offsets[v + 1]; ++a)
-                  {
-                    const int h = m_mesh.halfedge(m_mesh.graph().arcs[a].edge), o = m_mesh.opposite(h);
-                    faces.push_back(h / 3);
-                    if(o >= 0)
-                      faces.push_back(o / 3);
-                  }
-                  return true;
-                });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    m_window = std::move(faces);
-    m_radius = radius;
-    return m_window.size() <= largest;
-  }
-
   // Solves the window with the rest held fixed; returns the gain. Ends as soon as the total gain is
   // above the threshold.
   double solve_window(double threshold, double gain_so_far)
   {
-    std::vector<Triangle> triangles;
-    std::vector<Rest_shape> shapes;
-    std::vector<double> weights;
-    std::vector<int> vertices;
-    std::vector<char> is_fixed;
-    m_local_vertex.resize(m_state.chart.number_of_vertices(), -1);
-    for(int f : m_window)
-    {
-      Triangle local;
-      for(int k = 0; k < 3; ++k)
-      {
-        const int v = m_state.chart.triangles()[f][k];
-        if(m_local_vertex[v] < 0)
-        {
-          m_local_vertex[v] = int(vertices.size());
-          vertices.push_back(v);
-          is_fixed.push_back(!(m_reach.distance(m_state.chart.origins()[v]) <= m_radius));
-        }
-        local[k] = m_local_vertex[v];
-      }
-      triangles.push_back(local);
-      shapes.push_back(m_shapes[f]);
-      weights.push_back(m_weights[f]);
-    }
-    std::vector<Eigen::Vector2d> uv;
-    for(int v : vertices)
-    {
-      uv.push_back(m_state.uv[v]);
-      m_local_vertex[v] = -1;
-    }
-
-    Newton_solver solver(std::move(triangles), int(vertices.size()), m_policy.linear_solvers, std::move(is_fixed));
-    const double before = solver.energy<Symmetric_Dirichlet_energy>(shapes, weights, uv);
+    Local_window::System window = m_window.system(m_state, m_shapes, m_weights);
+    Newton_solver solver(std::move(window.triangles), int(window.vertices.size()), m_policy.linear_solvers,
+                         std::move(window.is_fixed));
+    const double before = solver.energy<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv);
     // An estimate needs about a tenth of the gain.
     Newton_options o;
     o.stop = [&](const Newton_state& s)
@@ -380,9 +310,10 @@ private:
       return gain_so_far + before - s.energy > threshold || s.decrement < tolerance ||
              !go_further();
     };
-    const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, o);
-    for(std::size_t i = 0; i < vertices.size(); ++i)
-      m_state.uv[vertices[i]] = uv[i];
+    const Newton_result result
+      = solver.minimize<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv, o);
+    for(std::size_t i = 0; i < window.vertices.size(); ++i)
+      m_state.uv[window.vertices[i]] = window.uv[i];
     return before - result.energy;
   }
 
@@ -393,12 +324,7 @@ private:
   Run_control& m_control;
   std::function<bool()> m_is_vain;
   Open_chart m_state;
-
-  // The window in work.
-  Shortest_paths m_reach;
-  std::vector<int> m_window; // faces
-  double m_radius = 0;
-  std::vector<int> m_local_vertex;
+  Local_window m_window; // in work
 };
 
 } // namespace internal

@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
@@ -26,14 +28,13 @@ namespace internal {
 
 // The map to return in `uv`: the running one, converged if it is not yet, and on request made
 // bijective.
-inline Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
-                               const Open_chart& running, const Cutting_parameters& parameters,
-                               Run_control& control, std::vector<Eigen::Vector2d>& uv)
+inline Newton_result final_map(const Problem& problem, const Open_chart& running, const Context& context,
+                               std::vector<Eigen::Vector2d>& uv)
 {
   Newton_options options;
-  options.stop = [&control](const Newton_state&) { return !control.go_further(); };
-  const Linear_solver_source& linear_solvers = *parameters.linear_solvers;
-  const std::vector<Eigen::Vector3d> points = chart_points(mesh, running.chart);
+  options.stop = [&context](const Newton_state&) { return !context.control.go_further(); };
+  const Linear_solver_source& linear_solvers = *context.parameters.linear_solvers;
+  const std::vector<Eigen::Vector3d> points = chart_points(problem.mesh, running.chart);
   Newton_result result;
   uv = running.uv;
   if(running.precision <= options.decrement)
@@ -43,11 +44,11 @@ inline Newton_result final_map(const Flat_mesh& mesh, const std::vector<Rest_sha
   }
   else
     result
-      = Chart_parameterizer(running.chart, points, shapes, linear_solvers).improve_isometrically(uv, options);
-  if(!parameters.do_bijective)
+      = Chart_parameterizer(running.chart, points, problem.shapes, linear_solvers).improve_isometrically(uv, options);
+  if(!context.parameters.do_bijective)
     return result;
-  return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, shapes, linear_solvers,
-                                                                 uv, result, options);
+  return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, problem.shapes,
+                                                                 linear_solvers, uv, result, options);
 }
 
 } // namespace internal
