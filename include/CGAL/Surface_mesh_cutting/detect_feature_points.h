@@ -60,8 +60,9 @@ Cut_result<TriangleMesh> detect_feature_points(const TriangleMesh& tmesh, Vertex
 {
   const Cut_result<TriangleMesh> result
     = internal::run<ConcurrencyTag>(tmesh, internal::Goal::FEATURES, internal::Ignore_result(), np);
-  for(auto v : result.feature_points)
-    *out++ = v;
+  if(result.has_result)
+    for(auto v : result.feature_points)
+      *out++ = v;
   return result;
 }
 
