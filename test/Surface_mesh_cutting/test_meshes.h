@@ -103,6 +103,20 @@ inline Soup sphere(int m, int n)
   return soup;
 }
 
+// A sphere with bumps: `n` rings, smooth, no two parts alike.
+inline Soup bumpy_sphere(int n)
+{
+  Soup soup = sphere(2 * n, n);
+  for(std::array<double, 3>& p : soup.points)
+  {
+    const double polar = CGAL_PI * (p[2] + 1) / (n + 2), around = std::atan2(p[1], p[0]);
+    const double radius = 1 + 0.5 * std::sin(3 * polar) * std::cos(2 * around) + 0.3 * std::cos(5 * polar);
+    p = {radius * std::sin(polar) * std::cos(around), radius * std::sin(polar) * std::sin(around),
+         1.5 * radius * std::cos(polar)};
+  }
+  return soup;
+}
+
 template <typename Mesh>
 Mesh make_mesh(const Soup& soup)
 {

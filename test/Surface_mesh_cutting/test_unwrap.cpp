@@ -38,20 +38,6 @@ void check(bool condition, const char* what)
   ++failures;
 }
 
-// A sphere with bumps: `n` rings, smooth, no two parts alike.
-test::Soup bumpy_sphere(int n)
-{
-  test::Soup soup = test::sphere(2 * n, n);
-  for(std::array<double, 3>& p : soup.points)
-  {
-    const double polar = CGAL_PI * (p[2] + 1) / (n + 2), around = std::atan2(p[1], p[0]);
-    const double radius = 1 + 0.5 * std::sin(3 * polar) * std::cos(2 * around) + 0.3 * std::cos(5 * polar);
-    p = {radius * std::sin(polar) * std::cos(around), radius * std::sin(polar) * std::sin(around),
-         1.5 * radius * std::cos(polar)};
-  }
-  return soup;
-}
-
 // A cut and UVs for any mesh.
 template <typename Mesh>
 struct Maps
@@ -148,7 +134,7 @@ private:
 void test_topologies()
 {
   struct Case { test::Soup soup; int components, genus, borders; };
-  test::Soup several = bumpy_sphere(6);
+  test::Soup several = test::bumpy_sphere(6);
   several.add(test::torus(16, 8));
   several.add(test::tube(8, 4));
   for(const Case& c : std::vector<Case>{{test::torus(24, 12), 1, 1, 0}, {test::tube(12, 8), 1, 0, 2},
@@ -180,7 +166,7 @@ void test_topologies()
 // A sphere with long arms, whose chart overlaps itself; and does not if that is asked for.
 void test_bijective()
 {
-  test::Soup soup = bumpy_sphere(16);
+  test::Soup soup = test::bumpy_sphere(16);
   for(std::array<double, 3>& p : soup.points)
   {
     const double factor = 1 + 1.5 * std::pow(std::sin(4 * p[0]) * std::sin(4 * p[1]) * std::cos(3 * p[2]), 2);
@@ -203,7 +189,7 @@ void test_bijective()
   check(flat.values(mesh) == again.values(mesh), "the same bijective map with several threads");
 
   // Several charts, beside each other.
-  test::Soup several = bumpy_sphere(6);
+  test::Soup several = test::bumpy_sphere(6);
   several.add(test::torus(16, 8));
   several.add(test::tube(8, 4));
   test::Surface_mesh charts = test::make_mesh<test::Surface_mesh>(several);
@@ -217,7 +203,7 @@ void test_scales()
   std::vector<double> energies;
   for(double factor : {1., 0x1p-500, 0x1p+500})
   {
-    test::Soup soup = bumpy_sphere(8);
+    test::Soup soup = test::bumpy_sphere(8);
     soup.scale(factor);
     test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(soup);
     Maps<test::Surface_mesh> maps(mesh);
@@ -246,7 +232,7 @@ void test_squashed()
 
 void test_methods()
 {
-  test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(bumpy_sphere(10));
+  test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(test::bumpy_sphere(10));
   Maps<test::Surface_mesh> maps(mesh);
   double shortest = std::numeric_limits<double>::infinity(), exact = 0;
   for(SMC::Connection connection : {SMC::Connection::METRIC_CLOSURE, SMC::Connection::SHORTEST_PATH_HEURISTIC,
@@ -304,14 +290,16 @@ void test_refusals()
   for(int calls : {1, 2, 5, 20})
   {
     Stopping_visitor visitor(calls);
-    check(code_of(bumpy_sphere(10), CGAL::parameters::visitor(std::ref(visitor))) == Status_code::STOPPED, "visitor");
+    check(code_of(test::bumpy_sphere(10), CGAL::parameters::visitor(std::ref(visitor))) == Status_code::STOPPED,
+          "visitor");
   }
-  check(code_of(bumpy_sphere(10), CGAL::parameters::maximum_running_time(1e-9)) == Status_code::STOPPED, "time limit");
+  check(code_of(test::bumpy_sphere(10), CGAL::parameters::maximum_running_time(1e-9)) == Status_code::STOPPED,
+        "time limit");
 }
 
 int main()
 {
-  const test::Soup soup = bumpy_sphere(12);
+  const test::Soup soup = test::bumpy_sphere(12);
   test_valid(test::make_mesh<test::Surface_mesh>(soup), "Surface_mesh");
   test_valid(test::make_mesh_with_garbage(soup), "Surface_mesh with removed elements");
   test_valid(test::make_mesh<test::Polyhedron>(soup), "Polyhedron_3");

@@ -42,10 +42,10 @@ struct Connected_cut
   bool is_optimal = true;
   int number_of_auxiliary_points = 0;
 
-  // A stopped search leaves a cut, too.
+  // A stopped search leaves a cut, too, unless it was stopped before its start.
   bool has_cut() const
   {
-    return status.has_result() || status.finding.code == Status_code::STOPPED;
+    return !cut.empty() && (status.has_result() || status.finding.code == Status_code::STOPPED);
   }
 };
 
