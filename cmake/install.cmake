@@ -9,13 +9,30 @@ install(TARGETS Surface_mesh_cutting EXPORT Surface_mesh_cuttingTargets)
 install(EXPORT Surface_mesh_cuttingTargets
   NAMESPACE Surface_mesh_cutting:: DESTINATION ${package_dir})
 
+# The compiled library, and what it was compiled with.
+set(SURFACE_MESH_CUTTING_LIBRARY_DEPENDENCIES "")
+if(SURFACE_MESH_CUTTING_WITH_LIBRARY)
+  install(TARGETS Surface_mesh_cutting_library EXPORT Surface_mesh_cuttingLibrary ARCHIVE DESTINATION lib)
+  install(EXPORT Surface_mesh_cuttingLibrary
+    NAMESPACE Surface_mesh_cutting:: DESTINATION ${package_dir})
+  foreach(library TBB METIS)
+    if(TARGET CGAL::${library}_support)
+      list(APPEND SURFACE_MESH_CUTTING_LIBRARY_DEPENDENCIES ${library})
+    endif()
+  endforeach()
+endif()
+
 configure_package_config_file(
   cmake/Surface_mesh_cuttingConfig.cmake.in
   "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfig.cmake"
   INSTALL_DESTINATION ${package_dir})
+set(architecture ARCH_INDEPENDENT)
+if(SURFACE_MESH_CUTTING_WITH_LIBRARY)
+  set(architecture "")
+endif()
 write_basic_package_version_file(
   "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfigVersion.cmake"
-  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMajorVersion ${architecture})
 install(FILES
   "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfig.cmake"
   "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfigVersion.cmake"

@@ -1,5 +1,6 @@
 # Makes a project of the code in the README:
-#   cmake -DREADME=FILE -DFOLDER=FOLDER -P extract_readme.cmake
+#   cmake -DREADME=FILE -DFOLDER=FOLDER [-DTARGET=TARGET] -P extract_readme.cmake
+# TARGET: what it links instead of the headers alone
 
 file(READ "${README}" text)
 foreach(block "cmake;CMakeLists.txt" "cpp;main.cpp")
@@ -8,5 +9,9 @@ foreach(block "cmake;CMakeLists.txt" "cpp;main.cpp")
   if(NOT text MATCHES "\n```${language}\n([^`]*)```\n")
     message(FATAL_ERROR "${README} holds no ${language}")
   endif()
-  file(WRITE "${FOLDER}/${file}" "${CMAKE_MATCH_1}")
+  set(block_text "${CMAKE_MATCH_1}")
+  if(TARGET)
+    string(REPLACE "Surface_mesh_cutting::Surface_mesh_cutting" "${TARGET}" block_text "${block_text}")
+  endif()
+  file(WRITE "${FOLDER}/${file}" "${block_text}")
 endforeach()

@@ -16,13 +16,17 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
 #include <Eigen/Core>
 
 #include <vector>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions/certify_flat_map.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -105,11 +109,8 @@ Status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge
     return adapter.translate(status);
   const internal::Cut cut = adapter.read_cut(edge_is_cut_map);
   const internal::Chart chart = internal::make_chart(adapter.mesh(), cut);
-  status.finding = internal::check_disks(chart).finding;
-  if(!status)
-    return adapter.translate(status);
   const std::vector<Eigen::Vector2d> uvs = adapter.read_uvs(halfedge_uv_map);
-  status.finding = internal::certify_corners(chart, uvs, do_bijective).status().finding;
+  status.finding = internal::certify_flat_map(chart, uvs, do_bijective).finding;
   return adapter.translate(status);
 }
 

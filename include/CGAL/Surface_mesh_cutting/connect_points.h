@@ -17,17 +17,22 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
-#include <CGAL/Surface_mesh_cutting/internal/cut_through_points.h>
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_vertices.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions/cut_through_points.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

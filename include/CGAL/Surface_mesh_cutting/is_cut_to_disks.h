@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/check_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 

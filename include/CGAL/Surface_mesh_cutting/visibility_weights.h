@@ -16,14 +16,18 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
-#include <CGAL/Surface_mesh_cutting/internal/Visibility.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <CGAL/tags.h>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions/visibilities.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

@@ -16,15 +16,19 @@
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-
-#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
 
 #include <cstddef>
 #include <limits>
 #include <memory>
 
 namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+class Linear_solver_source;
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+
 namespace Surface_mesh_cutting {
 namespace internal {
 

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/Component_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/keep_one_island.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
@@ -27,7 +28,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,27 +37,6 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::Map_measures;
-
-// What a run found, in terms of the whole flat mesh.
-struct Mesh_result
-{
-  Flat_status status;
-  bool has_result = false; // cut or map, as was asked for
-  int components = 0, genus = 0, borders = 0;
-  int candidates = 0, auxiliary = 0;
-  std::vector<int> features;
-  Cut cut;
-  double length = 0, lower_bound = 0, diagonal = 0;
-  bool is_optimal = true;
-  Chart chart;
-  std::vector<Eigen::Vector2d> uv;
-  double average_energy = 0, maximum_energy = 0;
-  int flips = 0;
-  std::optional<int> overlaps; // if the map has to be injective
-  std::vector<Trade_off> trade_offs;
-};
-
-enum class Goal { FEATURES, CUT, MAP };
 
 // Runs the method on each component that the mandatory edges leave and puts the parts together. What
 // is mandatory is opened first: it is border from then on, which the connection takes for connected.

@@ -16,9 +16,6 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/flatness.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
-
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <CGAL/AABB_tree.h>
 #if CGAL_VERSION_NR < 1060000000
@@ -36,8 +33,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -130,25 +125,6 @@ private:
   const Triangles m_triangles;
   Tree m_tree;
 };
-
-// The visibility of each edge, unless `control` ends the run. O(n k log n) for k rays on most surfaces.
-template <typename ConcurrencyTag>
-std::optional<std::vector<double> > visibilities(const Flat_mesh& mesh, int number_of_rays,
-                                                 unsigned int random_seed, Run_control& control)
-{
-  constexpr int edges_per_question = 16; // well below a millisecond for each thread
-  if(!control.go_further())
-    return std::nullopt;
-  const Visibility visibility(mesh, number_of_rays, random_seed);
-  std::vector<double> result(mesh.number_of_edges());
-  CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(mesh.number_of_edges(), [&](int e) {
-    if(e % edges_per_question == 0)
-      control.go_further();
-    if(!control.is_stopped())
-      result[e] = visibility(e);
-  });
-  return control.is_stopped() ? std::nullopt : std::make_optional(std::move(result));
-}
 
 } // namespace internal
 } // namespace Surface_mesh_cutting

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/Connected_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/Cut.h>
@@ -31,23 +32,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// A cut that leaves only disks: the mandatory edges and a tree in each part that those leave.
-struct Connected_cut
-{
-  Flat_status status;
-  Cut cut;
-  double weight = 0;      // of the edges that were added
-  double lower_bound = 0; // proven, for the weight
-  bool is_optimal = true;
-  int number_of_auxiliary_points = 0;
-
-  // A stopped search leaves a cut, too, unless it was stopped before its start.
-  bool has_cut() const
-  {
-    return !cut.empty() && (status.has_result() || status.finding.code == Status_code::STOPPED);
-  }
-};
 
 // Connects the borders and the terminals in each part of an opened surface by a Steiner tree in
 // its contracted graph: each border is one terminal. If the parts have genus 0, they become disks.

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/check_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
@@ -30,26 +31,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// OK if all parts of a chart are disks, otherwise the faces of the first part that is not. O(n).
-inline Flat_status check_disks(const Chart& chart)
-{
-  const Connected_parts parts(chart.opposites());
-  const std::vector<Topology> topology = topologies(chart, parts);
-  const auto is_bad = [](const Topology& t) { return !t.is_disk(); };
-  const auto bad = std::find_if(topology.begin(), topology.end(), is_bad);
-  if(bad == topology.end())
-    return Flat_status();
-  std::vector<int> faces;
-  for(int f = 0; f < chart.number_of_triangles(); ++f)
-    if(parts.part[f] == bad - topology.begin())
-      faces.push_back(f);
-  const auto number = std::count_if(bad, topology.end(), is_bad);
-  const std::string message = "parts that are not disks: " + std::to_string(number)
-                            + "; the first has genus " + std::to_string(bad->genus())
-                            + " and " + std::to_string(bad->border_loops) + " border(s)";
-  return Flat_status(Status_code::NOT_CUT_TO_DISKS, message, Element_kind::FACE, std::move(faces));
-}
 
 // What the exact check of a map to the plane found.
 struct Certificate

@@ -15,14 +15,19 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_cutter.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #include <CGAL/Default.h>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions/cut_flat_mesh.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -95,8 +100,8 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
   if(status)
   {
     const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
-    Mesh_cutter<ConcurrencyTag> cutter(adapter.mesh(), round, constraints, request, control, clock);
-    const Mesh_result found = cutter.run(goal);
+    const Mesh_result found
+      = cut_flat_mesh<ConcurrencyTag>(adapter.mesh(), goal, round, constraints, request, control, clock);
     status.finding = found.status.finding;
     status.warnings.insert(status.warnings.end(), found.status.warnings.begin(), found.status.warnings.end());
     translate(found, adapter, result);

@@ -17,8 +17,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Embedded_hermitian_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Lent_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Reordering_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/adapted_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/library.h>
 
 #include <CGAL/Default.h>
 
@@ -26,6 +26,10 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/default_linear_solver.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
@@ -72,10 +76,8 @@ private:
 
 // From what a program gives: nothing but `Default`, a reference to a solver, or a solver. Copies of models of
 // CGAL's concept may share what they hold, as `Eigen_solver_traits` does: such a model is lent.
-inline std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&)
-{
-  return std::make_shared<Simplicial_solver_source>();
-}
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&);
 
 template <typename Solver>
 std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const std::reference_wrapper<Solver>& solver)

@@ -14,6 +14,7 @@
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
@@ -29,23 +30,6 @@ namespace internal {
 namespace Steiner_tree {
 
 using Graph_kernel::Disjoint_sets;
-
-enum class Method
-{
-  metric_closure,
-  shortest_path_heuristic,
-  greedy_auxiliary_points,                    // the points connected along the metric closure
-  greedy_auxiliary_points_and_shortest_paths, // or by the shortest path heuristic
-  local_search,
-  exact
-};
-
-struct Options
-{
-  Method method = Method::exact;
-  double minimum_length_decrease = 0.;
-  std::size_t maximum_number_of_states = 20000000;
-};
 
 enum class Outcome
 {

@@ -9,48 +9,24 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_THROUGH_POINTS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_THROUGH_POINTS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_THROUGH_POINTS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_THROUGH_POINTS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
-#include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
 #include <CGAL/Surface_mesh_cutting/internal/keep_one_island.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
-
-#include <CGAL/boost/graph/properties.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The indices of some vertices of the caller's mesh.
-template <typename TriangleMesh, typename VertexPointMap, typename VertexRange>
-std::vector<int> read_vertices(const TriangleMesh& tmesh,
-                               const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
-                               const VertexRange& range)
-{
-  auto index = get(CGAL::dynamic_vertex_property_t<int>(), tmesh);
-  for(int v = 0; v < adapter.mesh().number_of_vertices(); ++v)
-    put(index, adapter.to_vertex(v), v);
-  std::vector<int> indices;
-  for(const auto& v : range)
-    indices.push_back(get(index, v));
-  return indices;
-}
-
-// Cuts the handles and then connects borders and terminals. The weight and its bound include those
-// of the mandatory edges.
-template <typename ConcurrencyTag, typename GoFurther>
-Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constraints,
-                                 const std::vector<int>& terminals, const Request& request,
-                                 GoFurther go_further)
+template <typename ConcurrencyTag>
+Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constraints, const std::vector<int>& terminals,
+                                 const Request& request, const std::function<bool()>& go_further)
 {
   Connected_cut result;
   result.status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
@@ -83,4 +59,4 @@ Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constra
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CUT_THROUGH_POINTS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_THROUGH_POINTS_H

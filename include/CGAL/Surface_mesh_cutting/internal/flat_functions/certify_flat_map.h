@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CERTIFY_FLAT_MAP_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CERTIFY_FLAT_MAP_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/check_disks.h>
+#include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+CGAL_SURFACE_MESH_CUTTING_INLINE
+Flat_status certify_flat_map(const Chart& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective)
+{
+  const Flat_status disks = check_disks(chart);
+  return disks ? certify_corners(chart, corner_uv, do_bijective).status() : disks;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CERTIFY_FLAT_MAP_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_FLAT_MESH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_FLAT_MESH_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/Mesh_cutter.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+template <typename ConcurrencyTag>
+Mesh_result cut_flat_mesh(const Flat_mesh& mesh, Goal goal,
+                          const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
+                          const Cutting_constraints& constraints, const Request& request, Run_control& control,
+                          Phase_clock& clock)
+{
+  return Mesh_cutter<ConcurrencyTag>(mesh, round, constraints, request, control, clock).run(goal);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_FLAT_MESH_H

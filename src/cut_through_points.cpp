@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions/cut_through_points.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+template Connected_cut cut_through_points<Sequential_tag>(
+  const Flat_mesh&, Edge_constraints, const std::vector<int>&, const Request&, const std::function<bool()>&);
+#ifdef CGAL_LINKED_WITH_TBB
+template Connected_cut cut_through_points<Parallel_tag>(
+  const Flat_mesh&, Edge_constraints, const std::vector<int>&, const Request&, const std::function<bool()>&);
+#endif
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
