@@ -10,9 +10,9 @@
 #include "mesh_files.h"
 
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/candidates.h>
-#include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -10,10 +10,10 @@
 
 #include "mesh_files.h"
 
-#include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
-#include <CGAL/Surface_mesh_cutting/internal/initial_features.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/initial_features.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -3,9 +3,9 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/candidates.h>
-#include <CGAL/Surface_mesh_cutting/internal/connected_parts.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 
 #include <string>
 #include <utility>

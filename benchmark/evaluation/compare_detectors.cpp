@@ -16,8 +16,8 @@
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh_cutting/detect_feature_points.h>
-#include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
-#include <CGAL/Surface_mesh_cutting/internal/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_in_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "Surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 
 #include <CGAL/Random.h>
 

@@ -2,7 +2,7 @@
 
 #undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
-#include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>

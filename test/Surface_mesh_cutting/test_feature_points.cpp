@@ -3,8 +3,8 @@
 
 #include "star_shapes.h"
 
-#include <CGAL/Surface_mesh_cutting/internal/Greedy_filter.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/Greedy_filter.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/Random.h>

@@ -2,8 +2,8 @@
 
 #undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
-#include <CGAL/Surface_mesh_cutting/internal/Flat_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 
 #include "test_meshes.h"
 

@@ -3,7 +3,7 @@
 
 #include "star_shapes.h"
 
-#include <CGAL/Surface_mesh_cutting/internal/candidates.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
 
 #include <CGAL/Random.h>
 

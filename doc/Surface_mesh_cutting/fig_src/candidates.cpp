@@ -4,8 +4,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/internal/candidates.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <fstream>

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
 #include <Eigen/Core>

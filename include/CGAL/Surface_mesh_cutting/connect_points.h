@@ -18,11 +18,11 @@
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_vertices.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_vertices.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 

@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flatness.h>
-#include <CGAL/Surface_mesh_cutting/internal/put_weights.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/flatness.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
 namespace CGAL {

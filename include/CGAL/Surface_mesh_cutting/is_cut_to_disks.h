@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/check_disks.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/check_disks.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
 namespace CGAL {

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/run.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/run.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

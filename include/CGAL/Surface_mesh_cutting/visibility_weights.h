@@ -17,9 +17,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/put_weights.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_run_control.h>
-#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 

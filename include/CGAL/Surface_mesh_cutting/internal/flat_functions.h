@@ -14,14 +14,14 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/Connected_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/Phase_clock.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Phase_clock.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/library.h>
 

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/check_disks.h>
-#include <CGAL/Surface_mesh_cutting/internal/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/check_disks.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
 
 namespace CGAL {

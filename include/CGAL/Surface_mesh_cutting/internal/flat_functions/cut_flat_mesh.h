@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/Mesh_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Mesh_cutter.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

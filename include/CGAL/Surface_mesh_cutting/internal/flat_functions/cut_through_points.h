@@ -14,11 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/connect_in_chart.h>
-#include <CGAL/Surface_mesh_cutting/internal/first_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_in_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/Handle_loops.h>
-#include <CGAL/Surface_mesh_cutting/internal/keep_one_island.h>
+#include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/keep_one_island.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/Visibility.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Visibility.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_COARSE_MESH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_COARSE_MESH_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_hierarchy.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A coarser version of a surface, of the same topology, whose vertices are some of its vertices.
+struct Coarse_mesh
+{
+  Flat_mesh mesh;
+  std::vector<int> vertices; // of the fine mesh
+
+  // Has about `number_of_vertices` vertices, or as many as are needed to keep the topology.
+  // O(n log n).
+  Coarse_mesh(const Flat_mesh& fine, int number_of_vertices)
+  {
+    using Surface_mesh_parameterization::internal::Chart_hierarchy;
+    const Chart chart(fine.triangles(), fine.opposites(), fine.number_of_vertices());
+    Chart_hierarchy hierarchy(chart, fine.points());
+    hierarchy.coarsen(number_of_vertices);
+    Chart_hierarchy::Stage stage = hierarchy.stage();
+    mesh = Flat_mesh(std::move(stage.points), stage.chart.triangles(), stage.chart.opposites());
+    vertices = std::move(stage.vertices);
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_COARSE_MESH_H

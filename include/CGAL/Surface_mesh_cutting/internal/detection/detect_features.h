@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_DETECT_FEATURES_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_DETECT_FEATURES_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/Feature_detector.h>
+#include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Makes loops mandatory that cut the handles (paper, Section 3.3), along a given cut where that is possible.
+inline Flat_status cut_handles_of(Problem& problem, const Context& context)
+{
+  if(problem.is_sphere)
+    return Flat_status();
+  const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
+  Handle_loops handles = cut_handles(problem.mesh,
+                                     problem.initial.is_given() ? problem.initial.guide(problem.constraints)
+                                                                : problem.constraints,
+                                     [&context] { return context.control.go_further(); });
+  problem.constraints.mandatory = std::move(handles.cut);
+  return handles.status;
+}
+
+// Whether features are found on a coarser version. A mesh only little larger than the target would not become much
+// simpler. A given cut lies on the surface itself.
+inline bool is_coarsened(const Problem& problem, const Cutting_parameters& parameters)
+{
+  return parameters.coarse_number_of_faces > 0 && !problem.initial.is_given() &&
+         4 * problem.mesh.number_of_faces() > 5 * parameters.coarse_number_of_faces;
+}
+
+// Whether a connected cut is refined where its features were found.
+inline bool refines(const Problem& problem, const Cutting_parameters& parameters)
+{
+  return has_bound(parameters) || problem.initial.is_given() || parameters.number_of_shortening_solves > 0;
+}
+
+// A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few
+// features: measured at full resolution, the energy is as low as that of features found there with this factor.
+inline Cutting_parameters parameters_on_coarse_mesh(const Cutting_parameters& parameters)
+{
+  constexpr double resolved_gain = 0.85;
+  Cutting_parameters result = parameters;
+  result.minimum_distortion_decrease *= resolved_gain;
+  result.decrease_per_length *= resolved_gain;
+  return result;
+}
+
+// Keeps those of the features that a cut through them needs once it is refined.
+template <typename ConcurrencyTag>
+void refine_features(const Problem& problem, const Context& context, Detected_features& detected)
+{
+  const Phase_clock::Measurement measurement(context.clock, Phase::REFINE);
+  const Cutting_parameters& parameters = context.parameters;
+  Cut_refiner<ConcurrencyTag> refiner(problem, context);
+  if(refiner.connect(detected.features) && refiner.map())
+  {
+    constexpr bool keeps_tree = true; // only the features are handed on
+    refine(refiner, {parameters.maximum_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
+                     keeps_tree}, parameters);
+    detected.features = refiner.features();
+  }
+  detected.trade_offs.insert(detected.trade_offs.end(), refiner.trade_offs().begin(), refiner.trade_offs().end());
+  if(context.control.is_stopped())
+    detected.status = failure(context.control);
+}
+
+// The features on the surface itself that are reachable there, and its terminals.
+inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, const std::vector<int>& features)
+{
+  const std::vector<char> is_reachable = reachable_vertices(fine.mesh, fine.constraints);
+  std::vector<int> result = fine.terminals;
+  for(int v : features)
+    if(is_reachable[coarse.vertices[v]])
+      result.push_back(coarse.vertices[v]);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// Ignores constraints; unreachable features are removed when lifted. Also refines here, where that is
+// cheap.
+template <typename ConcurrencyTag>
+Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start, const Context& context)
+{
+  using namespace Surface_mesh_parameterization::internal;
+  const Coarse_mesh coarse = [&]
+  {
+    const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
+    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2);
+  }();
+  Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
+                  unconstrained(coarse.mesh), {}, Initial_cut(), fine.is_sphere};
+  Detected_features detected;
+  detected.status = cut_handles_of(problem, context);
+  if(!detected.status)
+    return detected;
+  const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
+  detected = Feature_detector<ConcurrencyTag>(problem, Context{parameters, context.control, context.clock}).run(start);
+  if(detected.status && refines(problem, context.parameters))
+    refine_features<ConcurrencyTag>(problem, context, detected);
+  detected.features = lifted(fine, coarse, detected.features);
+  detected.chart = Open_chart();
+  return detected;
+}
+
+// The features of a surface without handles (paper, Section 3.1), from the given start.
+template <typename ConcurrencyTag>
+Detected_features detect_features(const Problem& problem, int start, const Context& context)
+{
+  return is_coarsened(problem, context.parameters)
+         ? detect_features_on_coarse_mesh<ConcurrencyTag>(problem, start, context)
+         : Feature_detector<ConcurrencyTag>(problem, context).run(start);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_DETECT_FEATURES_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_CUTTING_PARAMETERS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_CUTTING_PARAMETERS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+
+#include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+class Linear_solver_source;
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The parameters of the method (paper, Table 1) and what controls its effort. Lengths are in units
+// of the component's average edge length unless said.
+struct Cutting_parameters
+{
+  double minimum_distortion_decrease = 0.01; // epsilon_iso, of the area-averaged energy
+  double minimum_length_decrease = 0.01;     // epsilon_len, times the bounding box diagonal
+  double decrease_per_length = 0.15;         // of the energy, for a slit to be worth its length in
+                                             // bounding box diagonals
+  double maximum_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
+  double minimum_area_ratio = 0.1;           // alpha
+  double influence_threshold = 20;           // beta
+  double forbidden_radius = 10;              // d_n
+  double candidate_radius = 5;               // of the disk around a candidate (Section 3.1.2)
+  Conformal_solver conformal_solver = Conformal_solver::SPECTRAL;
+  // Whether to do what the paper says and nothing else, see the table in the manual.
+  bool is_faithful = false;
+  // Whether the final map of a component has to be injective, too.
+  bool do_bijective = false;
+  int number_of_starts = 1;
+  int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
+  int number_of_shortening_solves = 0; // at most, where features are found
+  int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
+  // How the feature points are connected; its decrease is epsilon_len as a length.
+  CGAL::internal::Steiner_tree::Options connection;
+  // At most, for each of the trees that are tried while a cut is refined. A hundred points can use up any
+  // budget; most trees are proven optimal within this one.
+  std::size_t number_of_states_while_refining = 500000;
+  unsigned int random_seed = 0;
+  // For the sparse systems of all maps; not needed where nothing is mapped.
+  std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
+
+  // Of the search for a long path: the paper starts at a random vertex.
+  int number_of_sweeps() const { return is_faithful ? 1 : 2; }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_CUTTING_PARAMETERS_H

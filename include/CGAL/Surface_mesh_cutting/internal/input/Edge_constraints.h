@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_EDGE_CONSTRAINTS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_EDGE_CONSTRAINTS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// What a caller may say about the edges. An edge of infinite weight is forbidden: it is never cut.
+struct Edge_constraints
+{
+  std::vector<double> weights; // not negative; those of border edges do not matter
+  Cut mandatory;               // open from the start
+
+  bool is_forbidden(int e) const { return weights[e] == std::numeric_limits<double>::infinity(); }
+};
+
+inline Edge_constraints unconstrained(const Flat_mesh& mesh)
+{
+  return Edge_constraints{mesh.lengths(), Cut(mesh.number_of_edges(), 0)};
+}
+
+// Whether the weights of the edges that may be cut are their lengths.
+inline bool weights_are_lengths(const Flat_mesh& mesh, const Edge_constraints& constraints)
+{
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!mesh.is_border_edge(e) && !constraints.is_forbidden(e) &&
+       constraints.weights[e] != mesh.length(e))
+      return false;
+  return true;
+}
+
+// The edges that may be cut.
+inline Cut allowed_edges(const Flat_mesh& mesh, const Edge_constraints& constraints)
+{
+  Cut allowed(mesh.number_of_edges());
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    allowed[e] = !mesh.is_border_edge(e) && !constraints.is_forbidden(e);
+  return allowed;
+}
+
+// The vertices at edges that may be cut.
+inline std::vector<char> reachable_vertices(const Flat_mesh& mesh, const Edge_constraints& constraints)
+{
+  std::vector<char> is_reachable(mesh.number_of_vertices(), 0);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!mesh.is_border_edge(e) && !constraints.is_forbidden(e))
+      is_reachable[mesh.source(mesh.halfedge(e))] = is_reachable[mesh.target(mesh.halfedge(e))] = 1;
+  return is_reachable;
+}
+
+inline Edge_constraints restriction(const Edge_constraints& whole, const Flat_component& component)
+{
+  Edge_constraints constraints;
+  for(int e : component.edges)
+    constraints.weights.push_back(whole.weights[e]);
+  constraints.mandatory = component.restriction(whole.mandatory);
+  return constraints;
+}
+
+inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mesh,
+                                                            const Edge_constraints& constraints)
+{
+  std::vector<int> conflicts;
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(constraints.mandatory[e] && constraints.is_forbidden(e))
+      conflicts.push_back(e);
+  if(conflicts.empty())
+    return Flat_status();
+  return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, "edges that must and must not be cut",
+                     Element_kind::EDGE, std::move(conflicts));
+}
+
+// Cuts every permitted edge and checks what remains: each part, held together by forbidden edges,
+// must be `is_possible(topology)`. Otherwise the forbidden edges in the first part that is not are
+// the witness. O(n).
+//
+// Handles can be cut iff no part has a handle: cycles of allowed edges span the orthogonal
+// complement of the cycles within the parts, with respect to the number of crossings, and contain g
+// independent ones that do not cross each other iff no two cycles within the parts cross. Disks can
+// be reached iff all parts are disks.
+template <typename IsPossible>
+Flat_status check_forbidden_edges(const Flat_mesh& mesh, const Edge_constraints& constraints,
+                                  IsPossible is_possible, const std::string& message)
+{
+  const Chart chart = make_chart(mesh, allowed_edges(mesh, constraints));
+  const Connected_parts parts(chart.opposites());
+  const std::vector<Topology> topology = topologies(chart, parts);
+  const auto bad = std::find_if_not(topology.begin(), topology.end(), is_possible);
+  if(bad == topology.end())
+    return Flat_status();
+  std::vector<int> edges;
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!mesh.is_border_edge(e) && constraints.is_forbidden(e) &&
+       parts.part[mesh.halfedge(e) / 3] == bad - topology.begin())
+      edges.push_back(e);
+  return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, message, Element_kind::EDGE,
+                     std::move(edges));
+}
+
+// Whether the constraints leave a way to cut all handles.
+inline Flat_status check_handles_can_be_cut(const Flat_mesh& mesh,
+                                            const Edge_constraints& constraints)
+{
+  Flat_status status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
+  if(status)
+    status = check_forbidden_edges(mesh, constraints,
+                                   [](const Topology& t) { return t.genus() == 0; },
+                                   "a handle cannot be cut because of edges that must not be cut");
+  return status;
+}
+
+// Whether the constraints leave a way to cut the surface to disks.
+inline Flat_status check_disks_can_be_reached(const Flat_mesh& mesh,
+                                              const Edge_constraints& constraints)
+{
+  Flat_status status = check_handles_can_be_cut(mesh, constraints);
+  if(status)
+    status = check_forbidden_edges(mesh, constraints, [](const Topology& t) { return t.is_disk(); },
+                                   "edges that must not be cut keep a part from becoming a disk");
+  return status;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_EDGE_CONSTRAINTS_H

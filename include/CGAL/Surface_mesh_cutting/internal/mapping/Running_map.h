@@ -1,0 +1,334 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_RUNNING_MAP_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_RUNNING_MAP_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Local_window.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Mapping_policy.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+using Surface_mesh_parameterization::internal::Newton_solver;
+using Surface_mesh_parameterization::internal::Newton_state;
+using Surface_mesh_parameterization::internal::area_weights;
+using Surface_mesh_parameterization::internal::hopeless_energy;
+
+// The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
+// stays flip-free and keeps its energy, so that every solve starts warm.
+class Running_map
+{
+public:
+  // Also aborts once `is_vain()`; call `restore()` afterwards.
+  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
+              Run_control& control, std::function<bool()> is_vain = [] { return false; })
+    : m_mesh(mesh), m_shapes(shapes), m_policy(policy), m_weights(area_weights(shapes)), m_control(control),
+      m_is_vain(std::move(is_vain)), m_window(mesh)
+  {}
+
+  // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
+  // above `bound`, or if the run was stopped.
+  bool initialize(const Cut& cut, double bound = std::numeric_limits<double>::infinity())
+  {
+    return initialize(cut, bound, m_policy.precision);
+  }
+
+  // The same with another precision, see `Newton_options::decrement`.
+  bool initialize(const Cut& cut, double bound, double precision)
+  {
+    m_state.cut = cut;
+    m_state.chart = make_chart(m_mesh, cut);
+    m_state.energy = std::numeric_limits<double>::infinity();
+    m_state.precision = std::numeric_limits<double>::infinity();
+    Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes, m_policy.linear_solvers);
+    Newton_options o = options();
+    o.decrement = precision;
+    const auto map_from = [&](First_map first_map)
+    {
+      o.stop = options().stop;
+      if(!parameterizer.isometric_start(m_state.uv, o, first_map))
+        return false;
+      o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
+      const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
+      m_state.energy = result.energy;
+      if(result.outcome == Newton_outcome::CONVERGED)
+        m_state.precision = precision;
+      return result.outcome != Newton_outcome::FAILED;
+    };
+    bool is_mapped = map_from(m_policy.first_map);
+    if(is_mapped && m_policy.first_map == First_map::TUTTE && is_hopeless())
+      is_mapped = map_from(First_map::HIERARCHY);
+    return is_mapped && m_state.energy <= bound && !is_stopped();
+  }
+
+  const Cut& cut() const { return m_state.cut; }
+  const Chart& chart() const { return m_state.chart; }
+  const std::vector<Eigen::Vector2d>& uv() const { return m_state.uv; }
+  double energy() const { return m_state.energy; }
+
+  const Mapping_policy& policy() const { return m_policy; }
+
+  // What there is can be kept and put back.
+  const Open_chart& state() const { return m_state; }
+  void restore(Open_chart state) { m_state = std::move(state); }
+
+  // Opens the slit if this lowers the energy by more than `threshold`, and converges; otherwise the
+  // state is as before. `slit` holds edges.
+  bool open_if_useful(const std::vector<int>& slit, double threshold)
+  {
+    const bool is_open = try_slit(slit, threshold);
+    if(is_open)
+      converge();
+    return is_open;
+  }
+
+  // The same without converging, which is left to the caller.
+  bool try_slit(const std::vector<int>& slit, double threshold)
+  {
+    const Trial trial = begin(slit);
+    if(is_useful(slit, threshold) && !is_stopped())
+    {
+      for(int e : slit)
+        m_state.cut[e] = 1;
+      return true;
+    }
+    take_back(trial);
+    return false;
+  }
+
+  // Whether no cut seems to lead to a useful map. Then every slit gains: searches for slits need a limit.
+  bool is_hopeless() const { return m_state.energy > hopeless_energy; }
+
+  // Far from the optimum, which a slit that changes much can leave the map, starting anew through
+  // the hierarchy takes fewer solves than going on. A hopeless map came from there already; the paper
+  // always goes on.
+  void converge()
+  {
+    constexpr int patience = 6;
+    const bool may_start_anew = m_policy.first_map == First_map::HIERARCHY;
+    Newton_options o = options();
+    if(may_start_anew)
+      o.maximum_iterations = patience;
+    Newton_result result = solve(o);
+    if(may_start_anew && result.outcome == Newton_outcome::ITERATION_LIMIT && result.energy <= hopeless_energy)
+    {
+      std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
+      Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes,
+                                        m_policy.linear_solvers);
+      const Newton_result cold = parameterizer.isometric_map(m_state.uv, options());
+      if(cold.energy < result.energy)
+        result = cold;
+      else
+      {
+        m_state.uv.swap(warm_uv);
+        result = solve(options());
+      }
+    }
+    m_state.energy = result.energy;
+    m_state.precision = m_policy.precision;
+  }
+
+  // Opens the slit in any case.
+  void open(const std::vector<int>& slit)
+  {
+    open_if_useful(slit, -std::numeric_limits<double>::infinity());
+  }
+
+  // About what opening the slit would gain, mostly a little less: what the window of twice its length
+  // (less if that is large) gains with the rest held fixed. The state stays as it is.
+  double estimate_gain(const std::vector<int>& slit)
+  {
+    const Trial trial = begin(slit);
+    constexpr int number_of_radii = 3;
+    double radius = 2 * total_length(m_mesh, slit);
+    bool is_small = false;
+    for(int i = 0; i < number_of_radii && !is_small; ++i, radius /= 2)
+      is_small = m_window.collect(slit, radius);
+    double gain = 0;
+    if(is_small)
+      gain = solve_window(std::numeric_limits<double>::infinity(), 0);
+    else // the slit is long against the chart; a few steps on the whole of it tell as much
+    {
+      Newton_options o = options();
+      o.maximum_iterations = number_of_radii;
+      gain = m_state.energy - solve(o).energy;
+    }
+    take_back(trial);
+    return gain;
+  }
+
+  // The distortion of each surface vertex (paper, Equation (3)).
+  std::vector<double> vertex_distortion() const
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    return vertex_averages(m_shapes, m_mesh.triangles(),
+                           face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_state.chart.triangles(), m_state.uv),
+                           m_mesh.number_of_vertices());
+  }
+
+  // How far each surface vertex's copies lie from the first of them in the plane; 0 inside.
+  std::vector<double> gaps() const
+  {
+    std::vector<int> first(m_mesh.number_of_vertices(), -1);
+    std::vector<double> gaps(m_mesh.number_of_vertices(), 0);
+    for(int c = 0; c < m_state.chart.number_of_vertices(); ++c)
+    {
+      const int v = m_state.chart.origins()[c];
+      if(first[v] < 0)
+        first[v] = c;
+      else
+        gaps[v] = (std::max)(gaps[v], (m_state.uv[c] - m_state.uv[first[v]]).norm());
+    }
+    return gaps;
+  }
+
+private:
+  bool go_further() { return !m_is_vain() && m_control.go_further(); }
+  bool is_stopped() const { return m_is_vain() || m_control.is_stopped(); }
+
+  // A slit that was opened and may be closed again.
+  struct Trial
+  {
+    Chart::Opening opening;
+    std::vector<Eigen::Vector2d> former_uv;
+  };
+
+  Trial begin(const std::vector<int>& slit)
+  {
+    std::vector<int> halfedges;
+    for(int e : slit)
+      halfedges.push_back(m_mesh.halfedge(e));
+    Trial trial{m_state.chart.open(halfedges), m_state.uv};
+    m_state.uv.resize(m_state.chart.number_of_vertices());
+    for(const auto& [corner, former] : trial.opening.corners)
+      m_state.uv[m_state.chart.source(corner)] = trial.former_uv[former];
+    return trial;
+  }
+
+  void take_back(const Trial& trial)
+  {
+    m_state.chart.close(trial.opening);
+    m_state.uv = trial.former_uv;
+  }
+
+  Newton_options options()
+  {
+    Newton_options o;
+    o.decrement = m_policy.precision;
+    o.stop = [this](const Newton_state&) { return !go_further(); };
+    return o;
+  }
+
+  // Decides from windows around the slit that grow until the answer is clear, then from the whole
+  // chart. What a window gains with the rest held fixed is a part of the full gain. How small a part
+  // at most was measured: with twice the length of the slit it was never below 0.3, so that a gain
+  // below a fifth of the threshold rejects, and a third with the next window.
+  bool is_useful(const std::vector<int>& slit, double threshold)
+  {
+    struct Window { double radius, largest_factor; };
+    constexpr Window windows[] = {{1, 20}, {2, 5}, {4, 3}};
+    double gain = 0;
+    for(const Window& window : windows)
+    {
+      if(!m_window.collect(slit, window.radius * total_length(m_mesh, slit)))
+        break;
+      gain += solve_window(threshold, gain);
+      if(gain > threshold || is_stopped())
+        return true;
+      if(m_policy.uses_estimates && window.largest_factor * gain < threshold)
+        return false;
+    }
+    return is_globally_useful(threshold);
+  }
+
+  // Whether the energy will stay above `bound`. The Newton decrement estimates twice the gain that is
+  // left; far from convergence it is too small, hence the factor.
+  static bool is_out_of_reach(double bound, const Newton_state& s)
+  {
+    constexpr double caution = 2;
+    return s.energy - caution * s.decrement > bound;
+  }
+
+  bool is_globally_useful(double threshold)
+  {
+    const double target = m_state.energy - threshold;
+    bool is_decided = false, is_useful = false;
+    Newton_options o;
+    o.stop = [&](const Newton_state& s)
+    {
+      is_useful = s.energy < target;
+      is_decided = is_useful || (m_policy.uses_estimates && is_out_of_reach(target, s)) || !go_further();
+      return is_decided;
+    };
+    const Newton_result result = solve(o);
+    return is_decided ? is_useful : result.energy < target;
+  }
+
+  Newton_result solve(const Newton_options& o)
+  {
+    Newton_solver solver(m_state.chart.triangles(), m_state.chart.number_of_vertices(), m_policy.linear_solvers);
+    return solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
+  }
+
+  // Solves the window with the rest held fixed; returns the gain. Ends as soon as the total gain is
+  // above the threshold.
+  double solve_window(double threshold, double gain_so_far)
+  {
+    Local_window::System window = m_window.system(m_state, m_shapes, m_weights);
+    Newton_solver solver(std::move(window.triangles), int(window.vertices.size()), m_policy.linear_solvers,
+                         std::move(window.is_fixed));
+    const double before = solver.energy<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv);
+    // An estimate needs about a tenth of the gain.
+    Newton_options o;
+    o.stop = [&](const Newton_state& s)
+    {
+      const double tolerance = std::isfinite(threshold) ? 0.01 * threshold : 0.1 * (before - s.energy);
+      return gain_so_far + before - s.energy > threshold || s.decrement < tolerance ||
+             !go_further();
+    };
+    const Newton_result result
+      = solver.minimize<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv, o);
+    for(std::size_t i = 0; i < window.vertices.size(); ++i)
+      m_state.uv[window.vertices[i]] = window.uv[i];
+    return before - result.energy;
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Rest_shape>& m_shapes;
+  Mapping_policy m_policy;
+  std::vector<double> m_weights;
+  Run_control& m_control;
+  std::function<bool()> m_is_vain;
+  Open_chart m_state;
+  Local_window m_window; // in work
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_RUNNING_MAP_H

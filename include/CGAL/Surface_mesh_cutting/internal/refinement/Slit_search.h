@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_SLIT_SEARCH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_SLIT_SEARCH_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A path from a vertex inside the surface to the cut, and about what opening it would gain.
+struct Slit
+{
+  int tip = -1;
+  std::vector<int> edges;
+  double length = 0, gain = 0;
+
+  double gain_per_length() const { return length > 0 ? gain / length : 0; }
+};
+
+// Looks for the slit that lowers the distortion most for its length. Promising are ends where the
+// distortion is large and the cut is far: there is distortion all along the way. The few most
+// promising ones are tried among the local maximizers of the distortion and of that product; the
+// former may all lie on the cut.
+class Slit_search
+{
+public:
+  Slit_search(const Flat_mesh& mesh, const Edge_constraints& constraints)
+    : m_mesh(mesh), m_constraints(constraints), m_paths(mesh.graph())
+  {}
+
+  // `is_excluded` holds, per vertex, where no slit may end. The tip is -1 if there is none.
+  Slit best(Running_map& map, const std::vector<char>& is_excluded)
+  {
+    constexpr std::size_t number_of_trials = 12;
+    measure_distances(map.cut());
+    const std::vector<double> distortion = map.vertex_distortion();
+    std::vector<double> promise(distortion.size(), 0);
+    for(std::size_t v = 0; v < promise.size(); ++v)
+      if(!is_excluded[v] && m_paths.distance(int(v)) < Shortest_paths::infinity())
+        promise[v] = (distortion[v] - Symmetric_Dirichlet_energy::ideal) * m_paths.distance(int(v));
+    std::vector<std::pair<double, int> > proposals;
+    for(bool by_promise : {false, true})
+      for(int v : local_maximizers(m_mesh, by_promise ? promise : distortion))
+        if(promise[v] > 0)
+          proposals.emplace_back(-promise[v], v);
+    std::sort(proposals.begin(), proposals.end());
+    proposals.erase(std::unique(proposals.begin(), proposals.end()), proposals.end());
+    if(proposals.size() > number_of_trials)
+      proposals.resize(number_of_trials);
+
+    Slit best;
+    for(const auto& proposal : proposals)
+    {
+      Slit slit = slit_from(proposal.second);
+      slit.gain = map.estimate_gain(slit.edges);
+      if(slit.gain_per_length() > best.gain_per_length())
+        best = std::move(slit);
+    }
+    return best;
+  }
+
+private:
+  void measure_distances(const Cut& cut)
+  {
+    const std::vector<char> is_open = open_vertices(m_mesh, cut);
+    m_paths.clear();
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(is_open[v])
+        m_paths.add_source(v);
+    m_paths.run([](int) { return true; },
+                [this](int a) { return m_constraints.weights[m_mesh.graph().arcs[a].edge]; });
+  }
+
+  Slit slit_from(int v) const
+  {
+    Slit slit;
+    slit.tip = v;
+    m_paths.path(v, std::back_inserter(slit.edges));
+    slit.length = total_length(m_mesh, slit.edges);
+    return slit;
+  }
+
+  const Flat_mesh& m_mesh;
+  const Edge_constraints& m_constraints;
+  Shortest_paths m_paths;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_SLIT_SEARCH_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_REFINE_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_REFINE_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Cut_refiner.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+inline bool has_bound(const Cutting_parameters& parameters)
+{
+  return parameters.maximum_distortion < std::numeric_limits<double>::infinity();
+}
+
+// What refinement aims at.
+struct Refinement_goal
+{
+  double bound;            // of the running map's energy, if there is a bound at all
+  double repair_threshold; // see `Detected_features`; without a bound
+  int number_of_solves;    // at most, for shortening
+  bool keeps_tree = false; // see `Refinement_limits`
+};
+
+// Lowers the energy to the bound if there is one, then shortens. Without a bound, what the tree
+// through the features loses against the filter's cut, or a given one, is gained back where it pays.
+template <typename ConcurrencyTag>
+void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, const Cutting_parameters& parameters)
+{
+  Refinement_limits limits;
+  limits.keeps_tree = goal.keeps_tree;
+  limits.number_of_solves = goal.number_of_solves;
+  if(has_bound(parameters))
+  {
+    refiner.lower_to(goal.bound);
+    limits.energy = (std::max)(goal.bound, refiner.chart().energy);
+  }
+  else
+  {
+    refiner.lower_to(goal.repair_threshold, parameters.decrease_per_length);
+    limits.energy = refiner.chart().energy + parameters.minimum_distortion_decrease;
+    limits.energy_per_length = parameters.decrease_per_length;
+  }
+  refiner.shorten(limits);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_REFINE_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RESULT_COMPONENT_RESULT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RESULT_COMPONENT_RESULT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// What is known about one component of the surface after a run.
+struct Component_result
+{
+  Flat_status status;
+  bool has_cut = false, has_map = false; // a stopped run may have both
+  int candidates = 0, auxiliary = 0;
+  std::vector<int> features;
+  Cut cut;
+  double length = 0, lower_bound = 0;
+  bool is_optimal = false;
+  Chart chart;
+  std::vector<Eigen::Vector2d> uv;
+  double energy = 0;
+  std::vector<Trade_off> trade_offs; // of all cuts that were mapped
+
+  void add(const std::vector<Trade_off>& others)
+  {
+    trade_offs.insert(trade_offs.end(), others.begin(), others.end());
+  }
+
+  // From short to long. What claims to be better than the result on both counts was measured on a
+  // coarser version and does not hold.
+  void keep_undominated_trade_offs()
+  {
+    std::vector<Trade_off> all;
+    for(const Trade_off& t : trade_offs)
+      if(t.cut_length > length || t.E_iso > energy)
+        all.push_back(t);
+    all.push_back({length, energy});
+    std::sort(all.begin(), all.end(), [](const Trade_off& a, const Trade_off& b)
+              { return a.cut_length != b.cut_length ? a.cut_length < b.cut_length : a.E_iso < b.E_iso; });
+    trade_offs.clear();
+    for(const Trade_off& t : all)
+      if(trade_offs.empty() || t.E_iso < trade_offs.back().E_iso)
+        trade_offs.push_back(t);
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RESULT_COMPONENT_RESULT_H

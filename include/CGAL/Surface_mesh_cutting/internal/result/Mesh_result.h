@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RESULT_MESH_RESULT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RESULT_MESH_RESULT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// What a run found, in terms of the whole flat mesh.
+struct Mesh_result
+{
+  Flat_status status;
+  bool has_result = false; // cut or map, as was asked for
+  int components = 0, genus = 0, borders = 0;
+  int candidates = 0, auxiliary = 0;
+  std::vector<int> features;
+  Cut cut;
+  double length = 0, lower_bound = 0, diagonal = 0;
+  bool is_optimal = true;
+  Chart chart;
+  std::vector<Eigen::Vector2d> uv;
+  double average_energy = 0, maximum_energy = 0;
+  int flips = 0;
+  std::optional<int> overlaps; // if the map has to be injective
+  std::vector<Trade_off> trade_offs;
+};
+
+enum class Goal { FEATURES, CUT, MAP };
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RESULT_MESH_RESULT_H

@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_MESH_CUTTER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_MESH_CUTTER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/run/Component_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/keep_one_island.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+using Surface_mesh_parameterization::internal::Map_measures;
+
+// Runs the method on each component that the mandatory edges leave and puts the parts together. What
+// is mandatory is opened first: it is border from then on, which the connection takes for connected.
+template <typename ConcurrencyTag>
+class Mesh_cutter
+{
+public:
+  // `round`: what becomes of a UV at the scale of the flat mesh when it is handed out and read back.
+  Mesh_cutter(const Flat_mesh& mesh, Round round, const Cutting_constraints& constraints, const Request& request,
+              Run_control& control, Phase_clock& clock)
+    : m_mesh(mesh), m_round(std::move(round)), m_constraints(constraints), m_request(request), m_control(control), m_clock(clock)
+  {}
+
+  Mesh_result run(Goal goal)
+  {
+    Mesh_result result;
+    result.diagonal = bounding_box_diagonal(m_mesh);
+    describe_topology(result);
+    result.status = check_constraints();
+    if(!result.status)
+      return result;
+    const Cut& mandatory = m_constraints.edges.mandatory;
+    result.cut = mandatory;
+    result.length = result.lower_bound = cut_length(m_mesh, mandatory);
+    const std::vector<Flat_component> components = split_along(m_mesh, mandatory);
+    std::vector<Component_result> parts = cut_components(components, goal);
+    for(std::size_t i = 0; i < components.size(); ++i)
+      if(!add_part(components[i], std::move(parts[i]), goal, result))
+        return result;
+    complete(result);
+    if(components.size() > 1)
+      result.trade_offs.clear();
+    result.has_result = true;
+    if(goal == Goal::MAP)
+    {
+      if(components.size() > 1)
+        lay_side_by_side(components, result);
+      certify(result);
+    }
+    return result;
+  }
+
+private:
+  void describe_topology(Mesh_result& result) const
+  {
+    const Chart chart = make_chart(m_mesh, Cut(m_mesh.number_of_edges(), 0));
+    for(const Topology& t : topologies(chart, Connected_parts(chart.opposites())))
+    {
+      ++result.components;
+      result.genus += t.genus();
+      result.borders += t.border_loops;
+    }
+  }
+
+  Flat_status check_constraints() const
+  {
+    std::vector<int> isolated;
+    for(int v : m_constraints.terminals)
+      if(m_mesh.is_isolated(v))
+        isolated.push_back(v);
+    if(!isolated.empty())
+      return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
+                         Element_kind::VERTEX, std::move(isolated));
+    return check_no_edge_is_mandatory_and_forbidden(m_mesh, m_constraints.edges);
+  }
+
+  // All terminals are features, also those that needed no connection. No length is proven where
+  // weights are minimized.
+  void complete(Mesh_result& result) const
+  {
+    std::vector<int>& features = result.features;
+    features.insert(features.end(), m_constraints.terminals.begin(), m_constraints.terminals.end());
+    std::sort(features.begin(), features.end());
+    features.erase(std::unique(features.begin(), features.end()), features.end());
+    if(!weights_are_lengths(m_mesh, m_constraints.edges))
+      result.lower_bound = 0;
+  }
+
+  // Each in a place of its own, in parallel if the tag says so. What comes after a component that fails
+  // is not needed.
+  std::vector<Component_result> cut_components(const std::vector<Flat_component>& components, Goal goal)
+  {
+    std::vector<Component_result> parts(components.size());
+    std::atomic<int> first_failure(int(components.size()));
+    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(components.size()), [&](int i)
+    {
+      if(i > first_failure)
+        return;
+      parts[i] = cut_component(components[i], goal);
+      for(int first = first_failure; !has_result(parts[i], goal) && i < first;)
+        if(first_failure.compare_exchange_weak(first, i))
+          return;
+    });
+    return parts;
+  }
+
+  Component_result cut_component(const Flat_component& component, Goal goal)
+  {
+    Component_result part;
+    Edge_constraints constraints = restriction(m_constraints.edges, component);
+    constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
+    std::vector<int> terminals = inner_terminals(component, m_constraints.terminals);
+    part.status = keep_one_island(component.mesh, component.topology, terminals, constraints);
+    if(!part.status)
+      return part;
+    Cutting_parameters parameters = m_request.parameters;
+    const double diagonal = bounding_box_diagonal(component.mesh);
+    parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
+    parameters.decrease_per_length /= diagonal;
+    const Flat_mesh& mesh = component.mesh;
+    Problem problem{mesh,
+                    Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()),
+                    std::move(constraints),
+                    std::move(terminals),
+                    Initial_cut(component.restriction(m_constraints.initial)),
+                    component.topology.genus() == 0 && component.topology.border_loops == 0};
+    Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_control, m_clock});
+    return goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
+  }
+
+  static bool has_result(const Component_result& part, Goal goal)
+  {
+    return goal == Goal::MAP ? part.has_map : goal == Goal::CUT ? part.has_cut : bool(part.status);
+  }
+
+  // Adds what was found for a component; false if it failed.
+  bool add_part(const Flat_component& component, Component_result part, Goal goal, Mesh_result& result) const
+  {
+    result.candidates += part.candidates;
+    if(!part.status)
+      result.status = component.in_whole(part.status);
+    if(!has_result(part, goal))
+      return false;
+    for(int v : part.features)
+      result.features.push_back(component.vertices[v]);
+    if(goal == Goal::FEATURES)
+      return true;
+    component.add_to(part.cut, result.cut);
+    result.auxiliary += part.auxiliary;
+    for(const Trade_off& t : part.trade_offs) // of the first component: with the mandatory edges
+      result.trade_offs.push_back({result.length + t.cut_length, t.E_iso});
+    result.length += part.length;
+    result.lower_bound += part.lower_bound;
+    result.is_optimal = result.is_optimal && part.is_optimal;
+    if(m_request.needs_optimal_tree && !part.is_optimal)
+      result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
+                                  "the cut is not proven to be the shortest one within the budget");
+    if(goal == Goal::MAP)
+      add_map(component, std::move(part), result);
+    return true;
+  }
+
+  // Hands the UVs of the component's chart over to the chart of the whole.
+  void add_map(const Flat_component& component, Component_result part, Mesh_result& result) const
+  {
+    if(result.chart.number_of_triangles() == 0)
+      result.chart = make_chart(m_mesh, m_constraints.edges.mandatory);
+    std::vector<int> halfedges;
+    for(std::size_t e = 0; e < component.edges.size(); ++e)
+      if(part.cut[e])
+        halfedges.push_back(m_mesh.halfedge(component.edges[e]));
+    result.chart.open(halfedges);
+    result.uv.resize(result.chart.number_of_vertices(), Eigen::Vector2d::Zero());
+    for(std::size_t f = 0; f < component.faces.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        result.uv[result.chart.triangles()[component.faces[f]][k]] = part.uv[part.chart.triangles()[f][k]];
+  }
+
+  // Moves the charts of the components apart: rows of about the width of a square that holds all,
+  // charts in the order of their heights.
+  void lay_side_by_side(const std::vector<Flat_component>& components, Mesh_result& result) const
+  {
+    struct Box { Eigen::Vector2d low, size; std::size_t component; };
+    std::vector<Box> boxes;
+    double area = 0, widest = 0;
+    for(std::size_t i = 0; i < components.size(); ++i)
+    {
+      Eigen::Vector2d low = result.uv[result.chart.triangles()[components[i].faces.front()][0]], high = low;
+      for(int f : components[i].faces)
+        for(int v : result.chart.triangles()[f])
+        {
+          low = low.cwiseMin(result.uv[v]);
+          high = high.cwiseMax(result.uv[v]);
+        }
+      boxes.push_back({low, high - low, i});
+      area += boxes.back().size.prod();
+      widest = (std::max)(widest, boxes.back().size.x());
+    }
+    std::stable_sort(boxes.begin(), boxes.end(),
+                     [](const Box& a, const Box& b) { return a.size.y() > b.size.y(); });
+    const double gap = 0.02 * std::sqrt(area), width = (std::max)(widest, 1.2 * std::sqrt(area));
+    Eigen::Vector2d corner(0, 0);
+    double row_height = 0;
+    std::vector<char> is_moved(result.uv.size(), 0);
+    for(const Box& box : boxes)
+    {
+      if(corner.x() > 0 && corner.x() + box.size.x() > width)
+      {
+        corner = Eigen::Vector2d(0, corner.y() + row_height + gap);
+        row_height = 0;
+      }
+      for(int f : components[box.component].faces)
+        for(int v : result.chart.triangles()[f])
+          if(!std::exchange(is_moved[v], char(1)))
+            result.uv[v] += corner - box.low;
+      corner.x() += box.size.x() + gap;
+      row_height = (std::max)(row_height, box.size.y());
+    }
+  }
+
+  // Measures the map as the caller's map will hold it and proves it free of flips and, if asked for, of overlaps; a
+  // map that fails is not handed out.
+  void certify(Mesh_result& result) const
+  {
+    const bool do_bijective = m_request.parameters.do_bijective;
+    const Map_measures measures(m_mesh.triangles(), m_mesh.points(), result.chart.triangles());
+    const double scale = measures.best_scale(result.uv);
+    for(Eigen::Vector2d& u : result.uv)
+      u *= scale;
+    Certified_map map = certified_map(result.chart, result.uv, do_bijective, m_round);
+    result.uv = std::move(map.uv);
+    result.flips = map.certificate.flips;
+    if(do_bijective)
+      result.overlaps = map.certificate.overlaps();
+    const Flat_status disks = check_disks(result.chart);
+    result.has_result = disks && map.certificate;
+    if(!disks)
+      result.status.finding = disks.finding;
+    else if(!map.certificate)
+      result.status.finding = map.certificate.status().finding;
+    else
+      measure(measures, result);
+  }
+
+  // What decides whether a bound is kept is the map as it is: an energy of the whole, of faces as thin as they are.
+  void measure(const Map_measures& measures, Mesh_result& result) const
+  {
+    const Map_measures::Energies energies = measures.energies(result.uv);
+    result.average_energy = energies.average;
+    result.maximum_energy = energies.maximum;
+    for(Trade_off& t : result.trade_offs) // the result is one of them
+      if(t.cut_length == result.length)
+        t.E_iso = result.average_energy;
+    if(measures.has_thickened_faces())
+      result.status.warnings.push_back(Finding{Status_code::OK, "the mean energy without the faces of (nearly) no area is "
+                                                                  + std::to_string(energies.average_of_others),
+                                               Element_kind::NONE, {}});
+    const bool keeps_bound = result.average_energy <= m_request.parameters.maximum_distortion;
+    Finding& finding = result.status.finding;
+    if(finding.code == Status_code::OK && !keeps_bound)
+      finding = bound_missed().finding;
+    else if(finding.code == Status_code::BOUND_NOT_REACHED && keeps_bound && !m_request.needs_optimal_tree)
+      finding = Finding(); // a component alone misses the bound, the whole keeps it
+  }
+
+  const Flat_mesh& m_mesh;
+  const Round m_round;
+  const Cutting_constraints& m_constraints;
+  const Request& m_request;
+  Run_control& m_control;
+  Phase_clock& m_clock;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_MESH_CUTTER_H

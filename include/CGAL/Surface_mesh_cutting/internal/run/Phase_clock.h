@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PHASE_CLOCK_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PHASE_CLOCK_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Phase_times.h>
+#include <CGAL/Surface_mesh_cutting/Visitor.h>
+
+#include <chrono>
+#include <ctime>
+#include <mutex>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Adds up wall and CPU time (of all threads) per phase. Several threads may measure; phases that run at
+// the same time then have the CPU time of both.
+class Phase_clock
+{
+  struct Moment { double wall, cpu; };
+
+public:
+  Phase_clock() : m_total_start(now()) {}
+
+  // Measures a phase as long as it lives.
+  class Measurement
+  {
+  public:
+    Measurement(Phase_clock& clock, Phase phase) : m_clock(clock), m_phase(phase), m_start(now()) {}
+    Measurement(const Measurement&) = delete;
+    Measurement& operator=(const Measurement&) = delete;
+    ~Measurement()
+    {
+      const Moment end = now();
+      const std::lock_guard<std::mutex> lock(m_clock.m_mutex);
+      share(m_clock.m_wall, m_phase) += end.wall - m_start.wall;
+      share(m_clock.m_cpu, m_phase) += end.cpu - m_start.cpu;
+    }
+
+  private:
+    Phase_clock& m_clock;
+    Phase m_phase;
+    Moment m_start;
+  };
+
+  Phase_times wall() const { return with_total(m_wall, now().wall - m_total_start.wall); }
+  Phase_times cpu() const { return with_total(m_cpu, now().cpu - m_total_start.cpu); }
+
+private:
+  static Moment now()
+  {
+    const auto wall = std::chrono::steady_clock::now().time_since_epoch();
+    return {std::chrono::duration<double>(wall).count(), double(std::clock()) / CLOCKS_PER_SEC};
+  }
+
+  static double& share(Phase_times& times, Phase phase)
+  {
+    switch(phase)
+    {
+    case Phase::CANDIDATES: return times.candidates;
+    case Phase::FILTER:     return times.filter;
+    case Phase::CONNECT:    return times.connect;
+    case Phase::REFINE:     return times.refine;
+    default:                return times.parameterize;
+    }
+  }
+
+  static Phase_times with_total(Phase_times times, double total)
+  {
+    times.total = total;
+    return times;
+  }
+
+  std::mutex m_mutex; // of the two sums
+  Moment m_total_start;
+  Phase_times m_wall, m_cpu;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PHASE_CLOCK_H

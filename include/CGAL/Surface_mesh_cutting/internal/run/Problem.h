@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PROBLEM_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PROBLEM_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Initial_cut.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+using Surface_mesh_parameterization::internal::Rest_shape;
+
+// A connected surface at one resolution and what its cut has to satisfy. Some cut does (`keep_one_island()`); what
+// is mandatory are the loops that cut the handles.
+struct Problem
+{
+  const Flat_mesh& mesh;
+  std::vector<Rest_shape> shapes;
+  Edge_constraints constraints;
+  std::vector<int> terminals;
+  Initial_cut initial;
+  bool is_sphere;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PROBLEM_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_START_RUN_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_START_RUN_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/detect_features.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Detects, connects, refines and parameterizes a surface without handles, from one start.
+template <typename ConcurrencyTag>
+class Start_run
+{
+  using Refiner = Cut_refiner<ConcurrencyTag>;
+
+  static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
+
+public:
+  // The references are kept.
+  Start_run(const Problem& problem, const Context& context)
+    : m_problem(problem), m_context(context), m_parameters(context.parameters), m_control(context.control),
+      m_is_coarsened(is_coarsened(problem, context.parameters))
+  {}
+
+  Component_result operator()(int start, bool needs_map) const
+  {
+    Component_result result;
+    Detected_features detected = detect_features<ConcurrencyTag>(m_problem, start, m_context);
+    result.status = detected.status;
+    result.candidates = detected.number_of_candidates;
+    result.add(detected.trade_offs);
+    if(!result.status)
+      return result;
+    Refiner refiner(m_problem, m_context);
+    if(!connect(refiner, std::move(detected.features), result) || !(needs_map || refines()))
+      return result;
+    if(!map(refiner, result))
+      return result;
+    // Where connecting the features loses too much, the filter's own cut is better.
+    if(refiner.chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
+      refiner.replace_tree(std::move(detected.chart));
+    refine_and_parameterize(refiner, detected.repair_threshold, result);
+    result.add(refiner.trade_offs());
+    result.keep_undominated_trade_offs();
+    return result;
+  }
+
+private:
+  // Where features are found on a coarser version, refinement without a bound or a given cut happens there.
+  bool refines() const
+  {
+    return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
+  }
+
+  bool connect(Refiner& refiner, std::vector<int> features, Component_result& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::CONNECT);
+    m_control.report(Phase::CONNECT, 0);
+    result.status = refiner.connect(std::move(features));
+    if(m_control.is_stopped())
+      result.status = failure(m_control);
+    if(!result.status)
+      return false;
+    take_cut(refiner, refiner.tree().cut, result);
+    m_control.report(Phase::CONNECT, 1);
+    return true;
+  }
+
+  void take_cut(const Refiner& refiner, const Cut& cut, Component_result& result) const
+  {
+    const Connected_cut& tree = refiner.tree();
+    result.has_cut = true;
+    result.features = refiner.features();
+    std::sort(result.features.begin(), result.features.end());
+    result.cut = cut;
+    result.length = cut_length(m_problem.mesh, cut);
+    result.lower_bound = cut_length(m_problem.mesh, m_problem.constraints.mandatory);
+    if(refiner.is_connected())
+      result.lower_bound += tree.lower_bound;
+    result.is_optimal = refiner.is_connected() && tree.is_optimal && cut == tree.cut;
+    result.auxiliary = tree.number_of_auxiliary_points;
+  }
+
+  bool map(Refiner& refiner, Component_result& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    m_control.report(Phase::PARAMETERIZE, 0);
+    // At full resolution a second solve costs more than the precision that refinement does not need.
+    if(refines() ? refiner.map() : refiner.map(Newton_options().decrement))
+      return true;
+    result.status = failure(m_control);
+    result.has_cut = false;
+    return false;
+  }
+
+  // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
+  void refine_and_parameterize(Refiner& refiner, double repair_threshold, Component_result& result) const
+  {
+    const double bound = m_parameters.maximum_distortion;
+    refine_and_parameterize(refiner, {bound, repair_threshold, m_is_coarsened ? m_parameters.number_of_corrective_solves
+                                                                              : m_parameters.number_of_shortening_solves},
+                            result);
+    if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
+      tighten(refiner, repair_threshold, result);
+    if(result.status && result.energy > bound)
+      result.status = bound_missed();
+  }
+
+  void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const
+  {
+    if(refines() || refiner.chart().energy > goal.repair_threshold)
+    {
+      const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+      m_control.report(Phase::REFINE, 0);
+      refine(refiner, goal, m_parameters);
+      m_control.report(Phase::REFINE, 1);
+    }
+    take_cut(refiner, refiner.chart().cut, result);
+    parameterize(refiner, result);
+  }
+
+  // Looks for the shortest cut whose bijective map keeps the bound: bisection over what is asked of
+  // the running map, between what failed and what did not.
+  void tighten(const Refiner& start, double repair_threshold, Component_result& best) const
+  {
+    constexpr int maximum_number_of_rounds = 6, solves = 10;
+    // As long as no round keeps the bound: about twenty seconds, after which none has been seen to keep it.
+    constexpr double maximum_number_of_solved_faces = 5e6;
+    double number_of_solved_faces = 0;
+    const double bound = m_parameters.maximum_distortion, precision = 0.02 * (bound - ideal);
+    // Down by what is missing, and not by less than a tenth nor by more than half of what is left.
+    const auto lowered = [&](double former, double missing)
+    { return (std::max)(former - (std::max)(missing, 0.1 * (bound - ideal)), (former + ideal) / 2); };
+    double failed = bound, kept = ideal, target = lowered(bound, best.energy - bound);
+    for(int round = 0; round < maximum_number_of_rounds && failed - kept > precision && best.status; ++round)
+    {
+      if(kept == ideal && number_of_solved_faces > maximum_number_of_solved_faces)
+        return;
+      Refiner refiner = start;
+      Component_result result = best;
+      refine_and_parameterize(refiner, {target, repair_threshold, solves}, result);
+      number_of_solved_faces += double(refiner.trade_offs().size()) * m_problem.mesh.number_of_faces();
+      result.add(refiner.trade_offs());
+      const bool is_kept = result.has_map && result.energy <= bound;
+      (is_kept ? kept : failed) = target;
+      target = kept > ideal ? (kept + failed) / 2 : lowered(target, result.energy - bound);
+      if(is_kept ? best.energy > bound || result.length < best.length
+                 : result.has_map && result.energy < best.energy && best.energy > bound)
+        best = std::move(result);
+      else
+        best.trade_offs = std::move(result.trade_offs);
+    }
+  }
+
+  void parameterize(const Refiner& refiner, Component_result& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    result.chart = refiner.chart().chart;
+    const Newton_result newton = final_map(m_problem, refiner.chart(), m_context, result.uv);
+    result.energy = newton.energy;
+    result.has_map = newton.outcome != Newton_outcome::FAILED;
+    if(!result.has_map || m_control.is_stopped())
+      result.status = failure(m_control);
+    m_control.report(Phase::PARAMETERIZE, 1);
+  }
+
+  const Problem& m_problem;
+  const Context m_context;
+  const Cutting_parameters& m_parameters;
+  Run_control& m_control;
+  const bool m_is_coarsened;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_START_RUN_H

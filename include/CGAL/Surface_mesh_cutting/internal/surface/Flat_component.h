@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_COMPONENT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_COMPONENT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A connected component of a mesh as a mesh of its own, without isolated vertices, and the indices
+// that its elements have in the whole. The order of the elements is kept.
+struct Flat_component
+{
+  Flat_mesh mesh;
+  std::vector<int> vertices, edges, faces;
+  Topology topology;
+
+  // Marks the edges of the whole that `cut` marks in the component.
+  void add_to(const Cut& cut, Cut& whole) const
+  {
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(cut[e])
+        whole[edges[e]] = 1;
+  }
+
+  // The part of the marks of the whole that lies in the component.
+  Cut restriction(const Cut& whole) const
+  {
+    Cut cut(edges.size());
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      cut[e] = whole[edges[e]];
+    return cut;
+  }
+
+  // Turns indices of the component into indices of the whole.
+  Flat_status in_whole(Flat_status status) const
+  {
+    translate(status.finding);
+    for(Finding& warning : status.warnings)
+      translate(warning);
+    return status;
+  }
+
+private:
+  void translate(Finding& finding) const
+  {
+    for(int& i : finding.indices)
+      i = finding.kind == Element_kind::VERTEX ? vertices[i]
+        : finding.kind == Element_kind::EDGE   ? edges[i] : faces[i];
+  }
+};
+
+// The component that consists of `faces`. The last two arrays are work space with an entry for each
+// vertex and halfedge of the whole; their contents do not matter.
+inline Flat_component make_component(const Flat_mesh& whole, std::vector<int> faces,
+                                     std::vector<int>& new_vertex, std::vector<int>& new_halfedge)
+{
+  Flat_component component;
+  for(int f : faces)
+    for(int v : whole.triangles()[f])
+      component.vertices.push_back(v);
+  std::sort(component.vertices.begin(), component.vertices.end());
+  component.vertices.erase(std::unique(component.vertices.begin(), component.vertices.end()),
+                           component.vertices.end());
+  std::vector<Point> points;
+  for(int v : component.vertices)
+  {
+    new_vertex[v] = int(points.size());
+    points.push_back(whole.point(v));
+  }
+  for(std::size_t i = 0; i < faces.size(); ++i)
+    for(int k = 0; k < 3; ++k)
+      new_halfedge[3 * faces[i] + k] = 3 * int(i) + k;
+  std::vector<Triangle> triangles;
+  std::vector<int> opposites;
+  for(int f : faces)
+  {
+    const Triangle& t = whole.triangles()[f];
+    triangles.push_back({new_vertex[t[0]], new_vertex[t[1]], new_vertex[t[2]]});
+    for(int h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      opposites.push_back(whole.is_border(h) ? -1 : new_halfedge[whole.opposite(h)]);
+      if(whole.halfedge(whole.edge(h)) == h)
+        component.edges.push_back(whole.edge(h));
+    }
+  }
+  component.mesh = Flat_mesh(std::move(points), std::move(triangles), std::move(opposites));
+  component.faces = std::move(faces);
+  return component;
+}
+
+// The components in the order of their lowest faces. A connected mesh without isolated vertices is
+// moved. O(n log n).
+inline std::vector<Flat_component> split_into_components(Flat_mesh whole)
+{
+  const Connected_parts parts(whole.opposites());
+  const std::vector<Topology> topology
+    = topologies(make_chart(whole, Cut(whole.number_of_edges(), 0)), parts);
+  const auto identity = [](int size)
+  {
+    std::vector<int> indices(size);
+    std::iota(indices.begin(), indices.end(), 0);
+    return indices;
+  };
+  bool has_isolated_vertex = false;
+  for(int v = 0; v < whole.number_of_vertices(); ++v)
+    has_isolated_vertex = has_isolated_vertex || whole.is_isolated(v);
+
+  std::vector<Flat_component> components;
+  if(parts.number == 1 && !has_isolated_vertex)
+  {
+    components.resize(1);
+    Flat_component& c = components.front();
+    c.vertices = identity(whole.number_of_vertices());
+    c.edges = identity(whole.number_of_edges());
+    c.faces = identity(whole.number_of_faces());
+    c.topology = topology.front();
+    c.mesh = std::move(whole);
+    return components;
+  }
+
+  std::vector<std::vector<int> > faces(parts.number);
+  for(int f = 0; f < whole.number_of_faces(); ++f)
+    faces[parts.part[f]].push_back(f);
+  std::vector<int> new_vertex(whole.number_of_vertices());
+  std::vector<int> new_halfedge(whole.number_of_halfedges());
+  for(int i = 0; i < parts.number; ++i)
+  {
+    components.push_back(make_component(whole, std::move(faces[i]), new_vertex, new_halfedge));
+    components.back().topology = topology[i];
+  }
+  return components;
+}
+
+// Splits along the cut; indices refer to the uncut mesh, so that copies of an element share theirs.
+// O(n log n).
+inline std::vector<Flat_component> split_along(const Flat_mesh& mesh, const Cut& cut)
+{
+  const Chart chart = make_chart(mesh, cut);
+  std::vector<Point> points;
+  for(int v : chart.origins())
+    points.push_back(mesh.point(v));
+  std::vector<Flat_component> components
+    = split_into_components(Flat_mesh(std::move(points), chart.triangles(), chart.opposites()));
+  for(Flat_component& c : components)
+  {
+    for(int& v : c.vertices)
+      v = chart.origins()[v];
+    for(int e = 0; e < c.mesh.number_of_edges(); ++e)
+    {
+      const int h = c.mesh.halfedge(e);
+      c.edges[e] = mesh.edge(3 * c.faces[h / 3] + h % 3);
+    }
+  }
+  return components;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_COMPONENT_H

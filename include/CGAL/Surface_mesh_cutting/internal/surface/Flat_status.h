@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_STATUS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_STATUS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Status_code.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The kind of element that the indices of a finding name.
+enum class Element_kind { NONE, VERTEX, EDGE, FACE };
+
+// What happened and where, in indices of the flat arrays. The public `Status` translates the
+// indices into descriptors of the caller's mesh.
+struct Finding
+{
+  Status_code code = Status_code::OK;
+  std::string message;
+  Element_kind kind = Element_kind::NONE;
+  std::vector<int> indices;
+};
+
+struct Flat_status
+{
+  Finding finding;
+  std::vector<Finding> warnings;
+
+  Flat_status() = default;
+  Flat_status(Status_code code, std::string message,
+              Element_kind kind = Element_kind::NONE, std::vector<int> indices = {})
+    : finding{code, std::move(message), kind, std::move(indices)}
+  {}
+
+  // Whether a valid result was computed: a stopped run and a missed bound leave one, too.
+  bool has_result() const
+  {
+    return finding.code == Status_code::OK || finding.code == Status_code::BOUND_NOT_REACHED;
+  }
+  explicit operator bool() const { return finding.code == Status_code::OK; }
+};
+
+inline Flat_status stopped_status()
+{
+  return Flat_status(Status_code::STOPPED, "the visitor or the time limit ended the run");
+}
+
+inline Flat_status bound_missed()
+{
+  return Flat_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map keeps the maximum distortion");
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_STATUS_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_VISIBILITY_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_VISIBILITY_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/surface/flatness.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+
+#include <CGAL/AABB_tree.h>
+#if CGAL_VERSION_NR < 1060000000
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#else
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#endif
+#include <CGAL/number_type_config.h>
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Ambient occlusion: which part of the light from all sides reaches the middle of an edge.
+class Visibility
+{
+  using Kernel = Simple_cartesian<double>;
+  using Triangles = std::vector<Kernel::Triangle_3>;
+#if CGAL_VERSION_NR < 1060000000
+  using Primitive = AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Tree = AABB_tree<AABB_traits<Kernel, Primitive> >;
+#else
+  using Primitive = AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
+  using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive> >;
+#endif
+
+public:
+  // O(n log n). The same directions, relative to the normal, serve all edges.
+  Visibility(const Flat_mesh& mesh, int number_of_rays, unsigned int random_seed)
+    : m_mesh(mesh), m_directions(random_directions(number_of_rays, random_seed)),
+      m_triangles(proper_triangles(mesh)), m_tree(m_triangles.begin(), m_triangles.end())
+  {
+    m_tree.build();
+  }
+
+  // The part of the rays from the middle of the edge that leave the surface behind: 0 if the edge
+  // is hidden, 1 if nothing is in the way. Can be called by several threads.
+  double operator()(int e) const
+  {
+    const int h = m_mesh.halfedge(e);
+    Eigen::Vector3d normal = unit_normal(m_mesh, h / 3);
+    if(!m_mesh.is_border(h))
+      normal += unit_normal(m_mesh, m_mesh.opposite(h) / 3);
+    normal = normal.stableNormalized();
+    if(normal.isZero())
+      return 1;
+    const Point& source = m_mesh.point(m_mesh.source(h));
+    const Eigen::Vector3d edge = m_mesh.point(m_mesh.target(h)) - source;
+    const Eigen::Vector3d first = normal.unitOrthogonal(), second = normal.cross(first);
+    // Off the surface, lest its own faces are in the way.
+    const Point origin = source + 0.5 * edge + 1e-3 * edge.norm() * normal;
+    int number_of_free_rays = 0;
+    for(const Eigen::Vector3d& d : m_directions)
+      number_of_free_rays += is_free(origin, d.x() * first + d.y() * second + d.z() * normal);
+    return number_of_free_rays / double(m_directions.size());
+  }
+
+private:
+  // Distributed by the cosine of the angle with the third axis.
+  static std::vector<Eigen::Vector3d> random_directions(int number, unsigned int seed)
+  {
+    Random random(seed);
+    std::vector<Eigen::Vector3d> directions;
+    for(int i = 0; i < number; ++i)
+    {
+      const double square = random.get_double(), angle = random.get_double(0, 2 * CGAL_PI);
+      directions.emplace_back(std::sqrt(square) * std::cos(angle),
+                              std::sqrt(square) * std::sin(angle), std::sqrt(1 - square));
+    }
+    return directions;
+  }
+
+  // Those without area are no obstacle, and no legal argument of the intersection tests.
+  static Triangles proper_triangles(const Flat_mesh& mesh)
+  {
+    Triangles triangles;
+    for(const Triangle& t : mesh.triangles())
+    {
+      const Kernel::Triangle_3 triangle(point(mesh.point(t[0])), point(mesh.point(t[1])),
+                                        point(mesh.point(t[2])));
+      if(!triangle.is_degenerate())
+        triangles.push_back(triangle);
+    }
+    return triangles;
+  }
+
+  static Kernel::Point_3 point(const Point& p) { return {p.x(), p.y(), p.z()}; }
+
+  bool is_free(const Point& origin, const Eigen::Vector3d& direction) const
+  {
+    return !m_tree.do_intersect(Kernel::Ray_3(
+      point(origin), Kernel::Direction_3(direction.x(), direction.y(), direction.z())));
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Eigen::Vector3d> m_directions;
+  const Triangles m_triangles;
+  Tree m_tree;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_VISIBILITY_H
