@@ -61,11 +61,11 @@ class Usage(Case):
 
     def test_values_that_look_like_options(self):
         for arguments in (["--json", "--bogus"], ["--json", "--quiet"], ["-o", "--svg", "a.svg"], ["--svg", "-o"],
-                          ["--must-cut", "--quiet"]):
+                          ["--must-cut", "--quiet"], ["--texture=", "--quiet"], ["--svg=", "a.svg"]):
             with self.subTest(arguments=arguments):
                 run = self.unwrap("sphere.off", *arguments)
                 self.assertEqual(run.returncode, 2)
-                self.assertIn(arguments[0].encode(), run.stderr)
+                self.assertIn(arguments[0].rstrip("=").encode(), run.stderr)
                 self.assertEqual(self.files(), ["sphere.off"])
         self.assertEqual(self.unwrap("sphere.off", "-o", "./--a.obj", "--json=--b").returncode, 0)
         self.assertEqual(self.files(), ["--a.obj", "--b", "sphere.off"])

@@ -213,9 +213,14 @@ bool looks_like_option(const std::string& argument)
 
 void check_values(const CLI::App& app, int argc, char** argv)
 {
-  for(int i = 1; i + 1 < argc; ++i)
+  for(int i = 1; i < argc; ++i)
   {
-    const std::string name = argv[i], value = argv[i + 1];
+    const std::string name = argv[i];
+    if(looks_like_option(name) && name.find('=') == name.size() - 1) // here, too
+      refuse(name.substr(0, name.size() - 1) + ": the value is empty");
+    if(i + 1 == argc)
+      return;
+    const std::string value = argv[i + 1];
     const CLI::Option* const option = looks_like_option(name) ? app.get_option_no_throw(name) : nullptr;
     if(option == nullptr || option->get_expected_max() == 0)
       continue;
