@@ -15,10 +15,10 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/Component_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/keep_one_island.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>

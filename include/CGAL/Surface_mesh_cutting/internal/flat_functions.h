@@ -15,11 +15,11 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/Connected_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/Flat_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/Phase_clock.h>
-#include <CGAL/Surface_mesh_cutting/internal/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/Run_control.h>
 
@@ -38,6 +38,9 @@ namespace internal {
 // The large functions on flat arrays, which do not depend on the caller's mesh: what the public functions call, and what
 // the compiled library holds. The folder flat_functions/ defines them, one header each; without the library, a public
 // function includes the one that it calls.
+
+// Refuses a mesh whose halfedges fit together but that is not manifold; warns of what is unusual.
+CGAL_SURFACE_MESH_CUTTING_INLINE Flat_status check_mesh(const Flat_mesh& mesh);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the flat mesh when it is handed out and read back.
 template <typename ConcurrencyTag>
