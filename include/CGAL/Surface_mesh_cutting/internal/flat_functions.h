@@ -15,11 +15,11 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Phase_clock.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
 
@@ -38,6 +38,9 @@ namespace internal {
 // The large functions on flat arrays, which do not depend on the caller's mesh: what the public functions call, and what
 // the compiled library holds. The folder flat_functions/ defines them, one header each; without the library, a public
 // function includes the one that it calls.
+
+// Refuses a mesh whose halfedges fit together but that is not manifold; warns of what is unusual.
+CGAL_SURFACE_MESH_CUTTING_INLINE Flat_status check_mesh(const Flat_mesh& mesh);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the flat mesh when it is handed out and read back.
 template <typename ConcurrencyTag>

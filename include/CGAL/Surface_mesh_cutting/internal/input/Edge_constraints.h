@@ -38,6 +38,14 @@ struct Edge_constraints
   bool is_forbidden(int e) const { return weights[e] == std::numeric_limits<double>::infinity(); }
 };
 
+// What a caller may say about edges and vertices.
+struct Cutting_constraints
+{
+  Edge_constraints edges;
+  std::vector<int> terminals; // vertices that the cut passes through
+  Cut initial;                // what the search starts from; no edge: nothing is known
+};
+
 inline Edge_constraints unconstrained(const Flat_mesh& mesh)
 {
   return Edge_constraints{mesh.lengths(), Cut(mesh.number_of_edges(), 0)};

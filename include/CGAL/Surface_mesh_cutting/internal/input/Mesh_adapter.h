@@ -15,8 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/mesh_checks.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
@@ -35,6 +35,10 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/flat_functions/check_mesh.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

@@ -15,8 +15,6 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/mesh_warnings.h>
 
 #include <algorithm>
 #include <utility>
@@ -88,23 +86,6 @@ inline std::vector<int> faces_given_twice(const Flat_mesh& mesh)
       faces.push_back(candidates[i].second);
   std::sort(faces.begin(), faces.end());
   return faces;
-}
-
-// Refuses a mesh whose halfedges fit together but that is not manifold; warns of what is unusual.
-inline Flat_status check_mesh(const Flat_mesh& mesh)
-{
-  std::vector<int> found = vertices_with_several_fans(mesh);
-  if(!found.empty())
-    return Flat_status(Status_code::NON_MANIFOLD, "vertices whose faces form more than one fan",
-                       Element_kind::VERTEX, std::move(found));
-  found = faces_given_twice(mesh);
-  if(!found.empty())
-    return Flat_status(Status_code::NON_MANIFOLD, "faces given twice",
-                       Element_kind::FACE, std::move(found));
-
-  Flat_status status;
-  status.warnings = mesh_warnings(mesh);
-  return status;
 }
 
 } // namespace internal

@@ -98,14 +98,6 @@ Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMa
   return Flat_status();
 }
 
-// What a caller may say about edges and vertices.
-struct Cutting_constraints
-{
-  Edge_constraints edges;
-  std::vector<int> terminals; // vertices that the cut passes through
-  Cut initial;                // what the search starts from; no edge: nothing is known
-};
-
 // Reads `vertex_is_constrained_map` and `initial_cut_map` besides the parameters about edges.
 template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
 Flat_status read_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,

@@ -15,10 +15,10 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/run/Component_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/keep_one_island.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>

@@ -25,6 +25,9 @@
 
 #include <CGAL/Default.h>
 
+#include <functional>
+#include <utility>
+
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 #include <CGAL/Surface_mesh_cutting/internal/flat_functions/cut_flat_mesh.h>
 #endif
@@ -67,36 +70,17 @@ void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<T
     result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), t.E_iso});
 }
 
-// The common part of the calls that run the method: checks, runs, lets `write(adapter, found)` hand out
-// the result if there is one, and reports. The map is proven for UVs held as `UV`.
-template <typename ConcurrencyTag, typename UV = Eigen::Vector2d, typename TriangleMesh, typename Write,
-          typename NamedParameters>
-Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write write, const NamedParameters& np)
+// What becomes of a result: it is written to the caller's property maps.
+template <typename Adapter>
+using Write = std::function<void(const Adapter&, const Mesh_result&)>;
+
+// Runs the method and translates what it finds. The same for all named parameters. The map is proven for UVs held
+// as `UV`.
+template <typename ConcurrencyTag, typename UV, typename TriangleMesh, typename Adapter>
+void run_adapted(const Adapter& adapter, Goal goal, const Write<Adapter>& write, const Cutting_constraints& constraints,
+                 const Request& request, Run_control& control, Phase_clock& clock, Flat_status status,
+                 Unwrap_result<TriangleMesh>& result)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-
-  Phase_clock clock;
-  Unwrap_result<TriangleMesh> result;
-  Default_visitor default_visitor;
-  Visitor_reference<NamedParameters> visitor
-    = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  Run_control control = read_run_control(visitor, np);
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
-  Request request = read_request(np);
-  request.parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
-    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()));
-
-  Flat_status status = adapter.status();
-  if(status)
-    status.finding = check_parameters(request.parameters).finding;
-  Cutting_constraints constraints;
-  if(status)
-    status.finding = read_constraints(adapter, np, constraints).finding;
   if(status)
   {
     const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
@@ -113,6 +97,40 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, Write writ
   result.status = adapter.translate(status);
   result.seconds = clock.wall();
   result.cpu_seconds = clock.cpu();
+}
+
+// The common part of the calls that run the method: reads the mesh and the named parameters, checks them, runs, lets
+// `write(adapter, found)` hand out the result if there is one, and reports.
+template <typename ConcurrencyTag, typename UV = Eigen::Vector2d, typename TriangleMesh, typename WriteResult,
+          typename NamedParameters>
+Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, WriteResult write, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  Phase_clock clock;
+  Unwrap_result<TriangleMesh> result;
+  Default_visitor default_visitor;
+  Visitor_reference<NamedParameters> visitor
+    = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  Run_control control = read_run_control(visitor, np);
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef Mesh_adapter<TriangleMesh, Vertex_point_map> Adapter;
+  const Adapter adapter(tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                get_const_property_map(CGAL::vertex_point, tmesh)));
+  Request request = read_request(np);
+  request.parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
+    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()));
+
+  Flat_status status = adapter.status();
+  if(status)
+    status.finding = check_parameters(request.parameters).finding;
+  Cutting_constraints constraints;
+  if(status)
+    status.finding = read_constraints(adapter, np, constraints).finding;
+  run_adapted<ConcurrencyTag, UV, TriangleMesh, Adapter>(adapter, goal, write, constraints, request, control, clock,
+                                                         std::move(status), result);
   return result;
 }
 
