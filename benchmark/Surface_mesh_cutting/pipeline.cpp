@@ -24,6 +24,7 @@
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/Surface_mesh_cutting/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
