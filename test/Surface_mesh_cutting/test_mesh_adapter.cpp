@@ -4,6 +4,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/mesh_checks.h>
 
 #include "test_meshes.h"
 
