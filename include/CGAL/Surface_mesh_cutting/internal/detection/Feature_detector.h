@@ -36,6 +36,8 @@ struct Detected_features
   std::vector<int> features; // sorted, with the terminals
   Open_chart chart;          // opened along the paths that led to them; empty if found on a coarser version
   std::vector<Trade_off> trade_offs;
+  // Whether their map has so much distortion that no cut seems to lead to a useful one.
+  bool is_hopeless = false;
   // The energy above which the cut through the features is worth a repair.
   double repair_threshold = std::numeric_limits<double>::infinity();
 };
@@ -64,6 +66,7 @@ public:
     std::vector<Candidate> candidates = find(start, opening, result);
     if(result.status)
       filter(start, opening, std::move(candidates), result);
+    result.is_hopeless = !result.trade_offs.empty() && result.trade_offs.back().E_iso > hopeless_energy;
     result.repair_threshold = repair_threshold(result.trade_offs);
     return result;
   }

@@ -73,7 +73,7 @@ void refine_features(const Problem& problem, const Context& context, Detected_fe
   const Phase_clock::Measurement measurement(context.clock, Phase::REFINE);
   const Cutting_parameters& parameters = context.parameters;
   Cut_refiner<ConcurrencyTag> refiner(problem, context);
-  if(refiner.connect(detected.features) && refiner.map())
+  if(refiner.connect(detected.features, !detected.is_hopeless) && refiner.map())
   {
     constexpr bool keeps_tree = true; // only the features are handed on
     refine(refiner, {parameters.maximum_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,

@@ -18,6 +18,7 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -65,6 +66,13 @@ struct Cutting_parameters
 
   // Of the search for a long path: the paper starts at a random vertex.
   int number_of_sweeps() const { return is_faithful ? 1 : 2; }
+
+  CGAL::internal::Steiner_tree::Options connection_while_refining() const
+  {
+    CGAL::internal::Steiner_tree::Options result = connection;
+    result.maximum_number_of_states = (std::min)(result.maximum_number_of_states, number_of_states_while_refining);
+    return result;
+  }
 };
 
 } // namespace internal

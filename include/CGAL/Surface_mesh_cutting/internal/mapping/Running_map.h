@@ -33,6 +33,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using Surface_mesh_parameterization::internal::Newton_result;
 using Surface_mesh_parameterization::internal::Newton_solver;
 using Surface_mesh_parameterization::internal::Newton_state;
 using Surface_mesh_parameterization::internal::area_weights;
@@ -74,7 +75,7 @@ public:
         return false;
       o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
       const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
-      m_state.energy = result.energy;
+      take_energy(result);
       if(result.outcome == Newton_outcome::CONVERGED)
         m_state.precision = precision;
       return result.outcome != Newton_outcome::FAILED;
@@ -123,6 +124,13 @@ public:
   // Whether no cut seems to lead to a useful map. Then every slit gains: searches for slits need a limit.
   bool is_hopeless() const { return m_state.energy > hopeless_energy; }
 
+  // Whether the map is hopeless after so much work on such maps, about ten seconds, that no more is worth it.
+  bool is_given_up() const
+  {
+    constexpr double enough_solved_faces = 4e6; // one for each triangle in each factorization
+    return is_hopeless() && m_hopeless_solved_faces > enough_solved_faces;
+  }
+
   // Far from the optimum, which a slit that changes much can leave the map, starting anew through
   // the hierarchy takes fewer solves than going on. A hopeless map came from there already; the paper
   // always goes on.
@@ -148,7 +156,7 @@ public:
         result = solve(options());
       }
     }
-    m_state.energy = result.energy;
+    take_energy(result);
     m_state.precision = m_policy.precision;
   }
 
@@ -209,6 +217,13 @@ public:
 private:
   bool go_further() { return !m_is_vain() && m_control.go_further(); }
   bool is_stopped() const { return m_is_vain() || m_control.is_stopped(); }
+
+  void take_energy(const Newton_result& result)
+  {
+    m_state.energy = result.energy;
+    if(is_hopeless())
+      m_hopeless_solved_faces += double(result.iterations) * m_mesh.number_of_faces();
+  }
 
   // A slit that was opened and may be closed again.
   struct Trial
@@ -325,6 +340,7 @@ private:
   std::function<bool()> m_is_vain;
   Open_chart m_state;
   Local_window m_window; // in work
+  double m_hopeless_solved_faces = 0;
 };
 
 } // namespace internal

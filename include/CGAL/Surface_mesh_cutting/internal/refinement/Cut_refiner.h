@@ -67,11 +67,12 @@ public:
       m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control)
   {}
 
-  // Connects the features; call first.
-  Flat_status connect(std::vector<int> features)
+  // Connects the features; call first. A tree that will not matter gets as little effort as one on the way to
+  // the final tree.
+  Flat_status connect(std::vector<int> features, bool matters = true)
   {
     m_features = std::move(features);
-    connect(m_parameters.connection);
+    connect(matters ? m_parameters.connection : m_parameters.connection_while_refining());
     return m_tree.status;
   }
 
@@ -137,13 +138,15 @@ public:
     for(int v : m_terminals)
       is_kept[v] = 1;
     drop_branches(limits, m_solves_left, is_kept);
-    while(m_solves_left > 0 && m_control.go_further() && exchange(limits, is_kept))
+    while(m_solves_left > 0 && goes_on() && exchange(limits, is_kept))
       continue;
     if(!m_is_connected && !m_control.is_stopped())
       reconnect(limits);
   }
 
 private:
+  bool goes_on() { return !m_map.is_given_up() && m_control.go_further(); }
+
   void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
     m_tree = connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, options,
@@ -185,11 +188,11 @@ private:
   {
     constexpr int enough_slits = 200, enough_solved_faces = 2000000;
     const int maximum_number_of_slits
-      = (std::max)(enough_slits, enough_solved_faces / m_mesh.number_of_faces()) / (m_map.is_hopeless() ? 10 : 1);
+      = (std::max)(enough_slits, enough_solved_faces / m_mesh.number_of_faces());
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     for(int i = 0; m_map.energy() > bound && m_control.go_further(); ++i)
     {
-      if(i > maximum_number_of_slits)
+      if(i > maximum_number_of_slits || m_map.is_given_up())
         return false;
       const Slit slit = m_slits.best(m_map, is_excluded);
       if(slit.tip < 0 || slit.gain_per_length() < least_gain)
@@ -224,10 +227,7 @@ private:
   bool reconnect(const Refinement_limits& limits)
   {
     Mapped_cut former = state();
-    CGAL::internal::Steiner_tree::Options connection = m_parameters.connection;
-    connection.maximum_number_of_states
-      = (std::min)(connection.maximum_number_of_states, m_parameters.number_of_states_while_refining);
-    connect(connection);
+    connect(m_parameters.connection_while_refining());
     if(m_tree.status)
     {
       const double saved = former.length - m_length;
@@ -248,7 +248,7 @@ private:
     const auto allowed_cost = [&](double length)
     { return length < shortest ? 0 : largest_energy(limits, m_map.energy(), length) - m_map.energy(); };
     int number_of_failures = 0;
-    while(m_solves_left > 0 && number_of_failures < maximum_number_of_failures && m_control.go_further())
+    while(m_solves_left > 0 && number_of_failures < maximum_number_of_failures && goes_on())
     {
       const Closing closing = m_closings.best(m_map, m_features, is_kept, allowed_cost);
       if(closing.tip < 0)

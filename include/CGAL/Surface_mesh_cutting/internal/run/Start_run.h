@@ -51,7 +51,7 @@ public:
     if(!result.status)
       return result;
     Refiner refiner(m_problem, m_context);
-    if(!connect(refiner, std::move(detected.features), result) || !(needs_map || refines()))
+    if(!connect(refiner, detected, result) || !(needs_map || refines()))
       return result;
     if(!map(refiner, result))
       return result;
@@ -71,11 +71,11 @@ private:
     return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
   }
 
-  bool connect(Refiner& refiner, std::vector<int> features, Component_result& result) const
+  bool connect(Refiner& refiner, const Detected_features& detected, Component_result& result) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::CONNECT);
     m_control.report(Phase::CONNECT, 0);
-    result.status = refiner.connect(std::move(features));
+    result.status = refiner.connect(detected.features, !detected.is_hopeless);
     if(m_control.is_stopped())
       result.status = failure(m_control);
     if(!result.status)
