@@ -11,4 +11,4 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/check_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>

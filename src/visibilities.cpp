@@ -11,7 +11,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/visibilities.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/visibilities.h>
 
 #include <CGAL/tags.h>
 
@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-template std::optional<std::vector<double> > visibilities<Sequential_tag>(const Flat_mesh&, int, unsigned int, Run_control&);
+template std::optional<std::vector<double> > visibilities<Sequential_tag>(const Indexed_mesh&, int, unsigned int, Run_control&);
 #ifdef CGAL_LINKED_WITH_TBB
-template std::optional<std::vector<double> > visibilities<Parallel_tag>(const Flat_mesh&, int, unsigned int, Run_control&);
+template std::optional<std::vector<double> > visibilities<Parallel_tag>(const Indexed_mesh&, int, unsigned int, Run_control&);
 #endif
 
 } // namespace internal

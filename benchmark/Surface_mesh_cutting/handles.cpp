@@ -56,12 +56,12 @@ Surface_mesh subdivided(Surface_mesh mesh, std::size_t number_of_faces)
 }
 
 // The greedy choice with a shortest loop in each step, all nodes being tried as roots.
-double exhaustive_length(const Flat_mesh& mesh)
+double exhaustive_length(const Indexed_mesh& mesh)
 {
   Cut cut(mesh.number_of_edges(), 0);
   for(;;)
   {
-    const Chart chart = make_chart(mesh, cut);
+    const Corner_table chart = make_chart(mesh, cut);
     const Contracted_surface surface(chart, [&](int h) { return mesh.length(mesh.edge(h)); });
     const Tree_cotree tree_cotree(chart, surface);
     if(tree_cotree.generators().empty())

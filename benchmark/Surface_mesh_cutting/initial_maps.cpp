@@ -10,7 +10,7 @@
 #include "mesh_files.h"
 
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
@@ -40,7 +40,7 @@ struct Counts
 constexpr int usual_stage = 250;
 
 // The first stage, of those that are tried, from which the whole chart can be mapped.
-int coarsest_stage(const Chart& chart, const std::vector<Point>& points)
+int coarsest_stage(const Corner_table& chart, const std::vector<Point>& points)
 {
   const Simplicial_solver_source linear_solvers;
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& uv)
@@ -61,9 +61,9 @@ int coarsest_stage(const Chart& chart, const std::vector<Point>& points)
   return 0;
 }
 
-void measure(const std::string& name, const Flat_mesh& mesh, const Cut& cut, Counts& counts)
+void measure(const std::string& name, const Indexed_mesh& mesh, const Cut& cut, Counts& counts)
 {
-  const Chart chart = make_chart(mesh, cut);
+  const Corner_table chart = make_chart(mesh, cut);
   const std::vector<Point> points = chart_points(mesh, chart);
   const std::vector<Rest_shape> shapes = rest_shapes(mesh.triangles(), mesh.points());
   const Simplicial_solver_source linear_solvers;
@@ -97,9 +97,9 @@ void measure(const std::filesystem::path& file, Counts& path_counts, Counts& fin
   auto is_cut = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:is_cut", false).first;
   const bool has_cut = bool(SMC::greedy_cut(mesh, is_cut, CGAL::parameters::effort(SMC::Effort::FAST)));
   const Cut final_cut = adapter.read_cut(is_cut);
-  for(const Flat_component& component : split_along(adapter.mesh(), Cut(adapter.mesh().number_of_edges(), 0)))
+  for(const Indexed_component& component : split_along(adapter.mesh(), Cut(adapter.mesh().number_of_edges(), 0)))
   {
-    const Flat_mesh& part = component.mesh;
+    const Indexed_mesh& part = component.mesh;
     if(component.topology.genus() == 0 && component.topology.border_loops == 0)
       measure(file.filename().string() + ",path", part, make_cut(part, path_to_farthest_vertex(part, 0, 2)), path_counts);
     if(has_cut)

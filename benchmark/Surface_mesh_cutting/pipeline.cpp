@@ -116,12 +116,12 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed, const
 {
   const Cut_map is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
   const auto uv = mesh.add_property_map<halfedge_descriptor, Kernel::Point_2>("h:uv").first;
-  const auto np = CGAL::parameters::faithful(options.is_faithful)
+  const auto np = CGAL::parameters::use_published_method(options.is_faithful)
                     .effort(options.effort)
                     .connection(options.connection_or_default())
                     .conformal_solver(options.conformal_solver_or_default())
                     .coarse_number_of_faces(options.coarse_number_of_faces_or_default())
-                    .maximum_distortion(options.maximum_distortion)
+                    .maximum_average_distortion(options.maximum_average_distortion)
                     .do_bijective(options.is_bijective)
                     .random_seed(static_cast<unsigned int>(seed))
                     .sparse_linear_solver(solver);
@@ -172,8 +172,8 @@ void print(const std::string& file, int seed, const Mesh& mesh, const Measuremen
 {
   const Result& r = m.result;
   std::cout << file << ',' << seed << ',' << (r ? "done" : r.status.message) << ',' << num_faces(mesh) << ','
-            << r.genus << ',' << r.borders << ',' << r.candidates << ',' << r.features << ',' << r.auxiliary << ','
-            << r.cut_length / r.bounding_box_diagonal << ',' << r.E_iso << ',' << r.E_max;
+            << r.genus << ',' << r.borders << ',' << r.number_of_candidates << ',' << r.number_of_features << ',' << r.number_of_auxiliary_points << ','
+            << r.cut_length / r.bounding_box_diagonal << ',' << r.average_distortion << ',' << r.largest_face_distortion;
   for(double SMC::Phase_times::* phase : {&SMC::Phase_times::candidates, &SMC::Phase_times::filter,
                                           &SMC::Phase_times::connect, &SMC::Phase_times::refine,
                                           &SMC::Phase_times::parameterize, &SMC::Phase_times::total})
@@ -194,8 +194,8 @@ public:
       ++m_failures;
       return;
     }
-    const std::vector<double> values = {double(r.candidates), double(r.features),
-                                        r.cut_length / r.bounding_box_diagonal, r.E_iso, m.cut(), m.total()};
+    const std::vector<double> values = {double(r.number_of_candidates), double(r.number_of_features),
+                                        r.cut_length / r.bounding_box_diagonal, r.average_distortion, m.cut(), m.total()};
     for(std::size_t i = 0; i < values.size(); ++i)
       m_sums[i] += values[i];
     ++m_runs;
@@ -229,7 +229,7 @@ void run(const Pipeline_options& options)
 #endif
   Baseline baseline = options.baseline.empty() ? Baseline() : Baseline(options.baseline);
   Summary summary;
-  std::cout << "file,seed,status,triangles,genus,borders,candidates,features,auxiliary,L,E,E_max,candidates_s,filter_s,"
+  std::cout << "file,seed,status,triangles,genus,borders,candidates,features,auxiliary,L,E,largest_face_distortion,candidates_s,filter_s,"
                "connect_s,refine_s,parameterize_s,total_s,cut_s,wall_s,memory_mb,cold_s,cold_tutte_s,ratio" << std::endl;
   for(const std::filesystem::path& file : options.files)
   {

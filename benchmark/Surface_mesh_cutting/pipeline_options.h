@@ -29,7 +29,7 @@ struct Pipeline_options
   std::optional<Connection> connection;
   std::optional<Conformal_solver> conformal_solver;
   std::optional<int> coarse_number_of_faces;
-  double maximum_distortion = std::numeric_limits<double>::infinity();
+  double maximum_average_distortion = std::numeric_limits<double>::infinity();
   std::string solver = "eigen", baseline;
   int threads = 1, seeds = 1, repetitions = 3;
 
@@ -86,7 +86,7 @@ inline Pipeline_options read_pipeline_options(const std::vector<std::string>& wo
     else if(word == "--coarse")
       options.coarse_number_of_faces = std::stoi(value());
     else if(word == "--max-distortion")
-      options.maximum_distortion = std::stod(value());
+      options.maximum_average_distortion = std::stod(value());
     else if(word == "--solver")
       options.solver = value();
     else if(word == "--threads")

@@ -2,7 +2,7 @@
 //
 //   replay_decisions FOLDER|MESH...
 //
-// On each closed surface of genus 0 (the first component of each mesh), the candidates are found as with `faithful` and
+// On each closed surface of genus 0 (the first component of each mesh), the candidates are found as with `use_published_method` and
 // judged one after the other. Before each, a copy of the map is converged with the candidate's slit to 1e-10; then
 // the running map decides and goes on. Unlike in the method, disks around other candidates do not bend the slits. One
 // line per mesh: candidates, decisions, how many were accepted, how many differ from full convergence, and the largest
@@ -10,9 +10,9 @@
 
 #include "mesh_files.h"
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/initial_features.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
@@ -55,14 +55,14 @@ struct Decisions
 Cutting_parameters faithful_parameters()
 {
   Cutting_parameters parameters;
-  parameters.is_faithful = true;
+  parameters.use_published_method = true;
   parameters.conformal_solver = CGAL::Surface_mesh_cutting::Conformal_solver::KP_NEWTON;
   parameters.linear_solvers = std::make_shared<Simplicial_solver_source>();
   return parameters;
 }
 
 // The edges of the shortest path from the cut to the vertex; empty if it is on the cut.
-std::vector<int> slit_to(const Flat_mesh& mesh, const Cut& cut, int v)
+std::vector<int> slit_to(const Indexed_mesh& mesh, const Cut& cut, int v)
 {
   Shortest_paths paths(mesh.graph());
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -78,19 +78,19 @@ std::vector<int> slit_to(const Flat_mesh& mesh, const Cut& cut, int v)
 }
 
 // What opening the slit gains, from the state of the map.
-double converged_gain(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
+double converged_gain(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
                       const Open_chart& state, const std::vector<int>& slit)
 {
   Mapping_policy precise = policy;
   precise.precision = 1e-10;
   Run_control control;
-  Running_map map(mesh, shapes, precise, control);
+  Incremental_parameterization map(mesh, shapes, precise, control);
   map.restore(state);
   map.open(slit);
   return state.energy - map.energy();
 }
 
-Decisions replay(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const std::vector<Candidate>& candidates,
+Decisions replay(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const std::vector<Candidate>& candidates,
                  const Cutting_parameters& parameters)
 {
   Decisions decisions;
@@ -99,7 +99,7 @@ Decisions replay(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, c
     = initialize_features(mesh, unconstrained(mesh), candidates, parameters, disks);
   const Mapping_policy policy = mapping_policy(parameters);
   Run_control control;
-  Running_map map(mesh, shapes, policy, control);
+  Incremental_parameterization map(mesh, shapes, policy, control);
   if(!map.initialize(make_cut(mesh, initial.cut)))
     return decisions;
   const double threshold = parameters.minimum_distortion_decrease;
@@ -122,10 +122,10 @@ void measure(const std::filesystem::path& file)
   const Adapter adapter(mesh, get(CGAL::vertex_point, mesh));
   if(!adapter.status())
     return;
-  const Flat_component component = split_into_components(adapter.mesh()).front();
+  const Indexed_component component = split_into_components(adapter.mesh()).front();
   if(component.topology.genus() > 0 || component.topology.border_loops > 0)
     return;
-  const Flat_mesh& surface = component.mesh;
+  const Indexed_mesh& surface = component.mesh;
   const Cutting_parameters parameters = faithful_parameters();
   const std::vector<Rest_shape> shapes = rest_shapes(surface.triangles(), surface.points());
   const int start = int(std::mt19937(0)() % std::mt19937::result_type(surface.number_of_vertices()));

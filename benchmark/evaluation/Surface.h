@@ -22,7 +22,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 // indices of the mesh that was read.
 struct Surface
 {
-  Flat::Flat_mesh mesh;
+  Flat::Indexed_mesh mesh;
   std::vector<SMP::Rest_shape> shapes;
 };
 
@@ -45,7 +45,7 @@ inline std::string make_surface(const Mesh& mesh, Surface& surface)
   for(int v = 0; v < surface.mesh.number_of_vertices(); ++v)
     if(surface.mesh.is_isolated(v))
       return "isolated vertex";
-  const Flat::Chart chart = Flat::make_chart(surface.mesh, Flat::Cut(surface.mesh.number_of_edges(), 0));
+  const Flat::Corner_table chart = Flat::make_chart(surface.mesh, Flat::Cut(surface.mesh.number_of_edges(), 0));
   const Flat::Connected_parts parts(chart.opposites());
   const auto topology = Flat::topologies(chart, parts).front();
   if(parts.number != 1 || topology.genus() != 0 || topology.border_loops != 0)

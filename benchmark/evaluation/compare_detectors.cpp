@@ -16,8 +16,8 @@
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh_cutting/detect_feature_points.h>
-#include <CGAL/Surface_mesh_cutting/internal/connection/connect_in_chart.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ Detection candidates(const Surface& surface)
 {
   const int start = int(std::mt19937(0)() % std::mt19937::result_type(surface.mesh.number_of_vertices()));
   Flat::Cutting_parameters parameters;
-  parameters.is_faithful = true;
+  parameters.use_published_method = true;
   parameters.conformal_solver = SMC::Conformal_solver::KP_NEWTON;
   parameters.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
   Flat::Run_control control;
@@ -96,7 +96,7 @@ Detection detect_by_package(const Mesh& mesh, bool is_faithful)
 {
   std::vector<Mesh::Vertex_index> vertices;
   const auto result = SMC::detect_feature_points(mesh, std::back_inserter(vertices),
-                                                 CGAL::parameters::faithful(is_faithful));
+                                                 CGAL::parameters::use_published_method(is_faithful));
   Detection detection;
   detection.failure = result.status.message;
   detection.filter_seconds = result.cpu_seconds.filter;
@@ -127,17 +127,17 @@ Detection detect(const std::string& detector, const Mesh& mesh, const Surface& s
 // Connects, maps, and prints the rest of the line.
 void evaluate(const Surface& surface, const std::vector<int>& features, const std::string& connection)
 {
-  const Flat::Flat_mesh& mesh = surface.mesh;
+  const Flat::Indexed_mesh& mesh = surface.mesh;
   const double diagonal = Flat::bounding_box_diagonal(mesh), start = cpu_seconds();
   Steiner::Options options;
   options.method = connections.at(connection);
   options.minimum_length_decrease = 0.01 * diagonal; // Table 1
-  const Flat::Connected_cut connected = Flat::connect_in_chart<CGAL::Sequential_tag>(
+  const Flat::Connected_cut connected = Flat::connect_terminals<CGAL::Sequential_tag>(
     mesh, Flat::unconstrained(mesh), features, options, [] { return true; });
   const double connect_seconds = cpu_seconds() - start;
   Flat::Run_control control;
   const SMP::Simplicial_solver_source linear_solvers;
-  Flat::Running_map map(mesh, surface.shapes, Flat::Mapping_policy(linear_solvers), control);
+  Flat::Incremental_parameterization map(mesh, surface.shapes, Flat::Mapping_policy(linear_solvers), control);
   const bool is_mapped = connected.has_cut() && map.initialize(connected.cut);
   std::cout << (is_mapped ? "done" : "no map") << ',' << connected.number_of_auxiliary_points << ','
             << Flat::cut_length(mesh, connected.cut) / diagonal << ',' << map.energy() << ',' << connect_seconds

@@ -74,7 +74,7 @@ private:
   // map is not valid.
   double map_to_disk(std::vector<double>& vertex_stretch) const
   {
-    const Flat::Chart chart = Flat::make_chart(m_mesh, m_cut);
+    const Flat::Corner_table chart = Flat::make_chart(m_mesh, m_cut);
     std::vector<Eigen::Vector2d> uv(chart.number_of_vertices());
     if(!mean_value_map(m_mesh, chart, uv))
       return std::numeric_limits<double>::infinity();
@@ -94,7 +94,7 @@ private:
     return SMP::area_average(m_shapes, stretch) * image / area;
   }
 
-  const Flat::Flat_mesh& m_mesh;
+  const Flat::Indexed_mesh& m_mesh;
   const std::vector<SMP::Rest_shape>& m_shapes;
   const int m_start = 0;
   Flat::Cut m_cut;

@@ -8,7 +8,7 @@
 #include <Eigen/SparseLU>
 
 // The tangent of half the angle of triangle `t` at its corner `k`.
-inline double half_angle_tangent(const Flat::Flat_mesh& mesh, int t, int k)
+inline double half_angle_tangent(const Flat::Indexed_mesh& mesh, int t, int k)
 {
   const Flat::Triangle& c = mesh.triangles()[t];
   const Flat::Point a = mesh.point(c[(k + 1) % 3]) - mesh.point(c[k]),
@@ -18,7 +18,7 @@ inline double half_angle_tangent(const Flat::Flat_mesh& mesh, int t, int k)
 
 // The map of an opened mesh to the unit disk by mean value coordinates [Flo03]: the border on the circle,
 // spaced as on the surface. False if the system cannot be solved.
-inline bool mean_value_map(const Flat::Flat_mesh& mesh, const Flat::Chart& chart, std::vector<Eigen::Vector2d>& uv)
+inline bool mean_value_map(const Flat::Indexed_mesh& mesh, const Flat::Corner_table& chart, std::vector<Eigen::Vector2d>& uv)
 {
   const int n = chart.number_of_vertices();
   const std::vector<int> loop = chart.border_loops().front();

@@ -98,7 +98,7 @@ private:
     return std::atan2(a.cross(b).norm(), a.dot(b));
   }
 
-  const Flat::Flat_mesh& m_mesh;
+  const Flat::Indexed_mesh& m_mesh;
   std::vector<int> m_ring; // of the region in work; -1 outside
   std::vector<int> m_region;
 };

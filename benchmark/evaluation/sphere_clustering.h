@@ -124,7 +124,7 @@ private:
     return *std::max_element(t.begin(), t.end(), [&](int v, int w) { return values[v] < values[w]; });
   }
 
-  const Flat::Flat_mesh& m_mesh;
+  const Flat::Indexed_mesh& m_mesh;
   const std::vector<SMP::Rest_shape>& m_shapes;
   const Spherical_map m_map;
   std::vector<double> m_distortion;

@@ -5,7 +5,7 @@
 #include "Surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,7 @@ private:
       if(std::find(t.begin(), t.end(), pole) == t.end())
         faces.push_back(f);
     }
-    const Flat::Flat_component rest = Flat::make_component(m_mesh, faces, new_vertex, new_halfedge);
+    const Flat::Indexed_component rest = Flat::make_component(m_mesh, faces, new_vertex, new_halfedge);
     vertices = rest.vertices;
     return mean_value_map(rest.mesh, Flat::make_chart(rest.mesh, Flat::Cut(rest.mesh.number_of_edges(), 0)), uv);
   }
@@ -175,7 +175,7 @@ private:
     }
   }
 
-  const Flat::Flat_mesh& m_mesh;
+  const Flat::Indexed_mesh& m_mesh;
   const std::vector<SMP::Rest_shape>& m_shapes;
 };
 

@@ -30,14 +30,14 @@ int main(int argc, char** argv)
   for(double bound : {4.3, 4.1})
   {
     const auto result = SMC::unwrap(mesh, is_cut, uv,
-                                    CGAL::parameters::maximum_distortion(bound).do_bijective(true));
+                                    CGAL::parameters::maximum_average_distortion(bound).do_bijective(true));
     // A result that misses the bound is valid nevertheless.
     if(!result && result.status.code != SMC::Status_code::BOUND_NOT_REACHED)
     {
       std::cerr << result.status.message << std::endl;
       return EXIT_FAILURE;
     }
-    std::cout << "at most " << bound << ": mean energy " << result.E_iso << ", a cut of "
+    std::cout << "at most " << bound << ": mean energy " << result.average_distortion << ", a cut of "
               << result.cut_length / result.bounding_box_diagonal << " bounding box diagonals" << std::endl;
   }
 

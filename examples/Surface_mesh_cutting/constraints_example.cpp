@@ -60,6 +60,6 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   std::cout << "a cut of " << result.cut_length / result.bounding_box_diagonal
-            << " bounding box diagonals, mean energy " << result.E_iso << std::endl;
+            << " bounding box diagonals, mean energy " << result.average_distortion << std::endl;
   return EXIT_SUCCESS;
 }

@@ -35,7 +35,7 @@ int main(int argc, char** argv)
       std::cerr << result.status.message << std::endl;
       return EXIT_FAILURE;
     }
-    std::cout << threshold << ": " << points.size() << " of " << result.candidates << " candidates\n";
+    std::cout << threshold << ": " << points.size() << " of " << result.number_of_candidates << " candidates\n";
   }
   return EXIT_SUCCESS;
 }

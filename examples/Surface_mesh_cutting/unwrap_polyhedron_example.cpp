@@ -38,7 +38,7 @@ int main(int argc, char** argv)
     std::cerr << result.status.message << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "mean symmetric Dirichlet energy " << result.E_iso << " (4: no distortion)\n";
+  std::cout << "mean symmetric Dirichlet energy " << result.average_distortion << " (4: no distortion)\n";
 
   // The same proof that unwrap() itself relies on.
   const SMC::Status<Polyhedron> status = SMC::certify_unwrap(polyhedron, is_cut, uv);

@@ -52,6 +52,6 @@ int main(int argc, char** argv)
     out << "\n";
   }
   std::cout << "a cut of " << result.cut_length / result.bounding_box_diagonal
-            << " bounding box diagonals, mean energy " << result.E_iso << std::endl;
+            << " bounding box diagonals, mean energy " << result.average_distortion << std::endl;
   return out ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -16,9 +16,9 @@
 
 namespace test {
 
-using CGAL::Surface_mesh_cutting::internal::Flat_mesh;
+using CGAL::Surface_mesh_cutting::internal::Indexed_mesh;
 
-inline Flat_mesh random_star_shape(int n, CGAL::Random& random)
+inline Indexed_mesh random_star_shape(int n, CGAL::Random& random)
 {
   Soup soup = sphere(2 * n, n);
   const double a = random.get_double(1, 4), b = random.get_double(1, 4), c = random.get_double(0.2, 0.6);
@@ -35,7 +35,7 @@ inline Flat_mesh random_star_shape(int n, CGAL::Random& random)
 }
 
 // Over the edges with `is_allowed` (empty: all).
-inline std::vector<double> distances_by_relaxation(const Flat_mesh& mesh, int source,
+inline std::vector<double> distances_by_relaxation(const Indexed_mesh& mesh, int source,
                                                    const std::vector<char>& is_allowed = {})
 {
   std::vector<double> distances(mesh.number_of_vertices(), std::numeric_limits<double>::infinity());

@@ -44,7 +44,7 @@ struct Surface
     return result;
   }
 
-  Chart chart() const { return Chart(triangles, opposites(), int(uv.size())); }
+  Corner_table chart() const { return Corner_table(triangles, opposites(), int(uv.size())); }
 
   // Adds a triangle if it is counterclockwise.
   bool add(const Triangle& t)
@@ -132,7 +132,7 @@ int test_random(int runs, int charts, int triangles, int size, bool fan, CGAL::R
     Surface surface;
     for(int c = 0; c < charts; ++c)
       grow_disk(surface, random.get_int(1, triangles + 1), size, fan, random);
-    const Chart chart = surface.chart();
+    const Corner_table chart = surface.chart();
     assert(check_disks(chart));
     const Certificate certificate = certify(chart, surface.uv, true);
     assert(certificate.flips == 0);
@@ -214,7 +214,7 @@ void test_invalid()
 {
   Surface surface;
   surface.add_part({Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1)}, {{0, 1, 2}, {2, 1, 3}});
-  const Chart chart = surface.chart();
+  const Corner_table chart = surface.chart();
   std::vector<Vector2d> corner_uv;
   for(int h = 0; h < 6; ++h)
     corner_uv.push_back(surface.uv[chart.source(h)]);

@@ -274,7 +274,7 @@ void test_random_constraints()
       put(allowed, e, !get(forbidden, e));
     }
     Vertices<Surface_mesh> points = some_vertices(mesh, 4, random);
-    bool is_feasible = bool(SMC::is_cut_to_disks(mesh, allowed));
+    bool is_feasible = SMC::is_cut_to_disks(mesh, allowed);
     for(auto v : points)
       is_feasible = is_feasible && cut_degree(mesh, allowed, v) > 0;
 

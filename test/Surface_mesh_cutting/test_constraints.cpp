@@ -254,7 +254,7 @@ void test_weights()
       put(task.weight, e, 0.01 * get(task.weight, e));
   task.run();
   task.check_valid("weights");
-  check(!task.result.cut_lower_bound && !task.result.optimal, "no bound on the length");
+  check(!task.result.lower_bound && !task.result.is_optimal, "no bound on the length");
   double expensive = 0;
   for(auto e : edges(task.mesh))
     if(get(task.is_cut, e) && task.point(source(e, task.mesh)).x() <= 0.5)
@@ -298,8 +298,8 @@ void test_neutral_constraints()
   Surface_task task(sphere());
   check(task.run() == Status_code::OK, "neutral constraints");
   const auto without = SMC::unwrap(task.mesh, task.is_cut, task.uv);
-  check(without.cut_length == task.result.cut_length && without.E_iso == task.result.E_iso &&
-          without.cut_lower_bound == task.result.cut_lower_bound, "the same as without constraints");
+  check(without.cut_length == task.result.cut_length && without.average_distortion == task.result.average_distortion &&
+          without.lower_bound == task.result.lower_bound, "the same as without constraints");
   const auto constant = SMC::greedy_cut(
     task.mesh, task.is_cut,
     CGAL::parameters::edge_is_constrained_map(CGAL::Constant_property_map<test::Surface_mesh::Edge_index, bool>(false))

@@ -53,9 +53,9 @@ struct Shape
   int parts, genus, borders;
 };
 
-Shape shape(const Flat_mesh& mesh, const Cut& cut)
+Shape shape(const Indexed_mesh& mesh, const Cut& cut)
 {
-  const Chart chart = make_chart(mesh, cut);
+  const Corner_table chart = make_chart(mesh, cut);
   const Connected_parts parts(chart.opposites());
   Shape result{parts.number, 0, 0};
   for(const Topology& t : topologies(chart, parts))
@@ -152,7 +152,7 @@ struct Slow_shortest_paths
   std::vector<double> distance;
   std::vector<int> last;
 
-  Slow_shortest_paths(const Flat_mesh& mesh, int root)
+  Slow_shortest_paths(const Indexed_mesh& mesh, int root)
     : distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
       last(mesh.number_of_vertices(), -1)
   {
@@ -175,7 +175,7 @@ struct Slow_shortest_paths
     }
   }
 
-  std::set<int> path(const Flat_mesh& mesh, int v) const
+  std::set<int> path(const Indexed_mesh& mesh, int v) const
   {
     std::set<int> edges;
     while(last[v] >= 0)
@@ -190,7 +190,7 @@ struct Slow_shortest_paths
 
 // The length of the shortest cycle of a closed surface whose opening does not fall apart, from all
 // roots.
-double shortest_loop_by_brute_force(const Flat_mesh& mesh)
+double shortest_loop_by_brute_force(const Indexed_mesh& mesh)
 {
   double best = std::numeric_limits<double>::infinity();
   for(int root = 0; root < mesh.number_of_vertices(); ++root)
@@ -229,7 +229,7 @@ void test_lengths()
       = test::random_surface(rows, columns, random.uniform_int(1, 3), 0, random);
     const Surface_mesh mesh = test::make_mesh<Surface_mesh>(surface.soup);
     const auto adapter = adapt(mesh);
-    const Flat_mesh& flat = adapter.mesh();
+    const Indexed_mesh& flat = adapter.mesh();
     const Edge_constraints constraints = unconstrained(flat);
     const double best = shortest_loop_by_brute_force(flat);
     const auto first_length = [&](const Handle_loops& handles)

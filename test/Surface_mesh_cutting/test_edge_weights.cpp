@@ -64,7 +64,7 @@ void test_creases()
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(prism(n));
   const Weights<Surface_mesh> weights = make_weights(mesh);
   assert(SMC::crease_weights(mesh, weights, 0.25));
-  int creases = 0, flat_edges = 0;
+  int creases = 0, indexed_edges = 0;
   for(auto e : edges(mesh))
   {
     const double factor = get(weights, e) / length(mesh, e);
@@ -75,9 +75,9 @@ void test_creases()
       continue;
     const bool is_crease = s / (n + 1) == t / (n + 1);
     assert(are_close(factor, is_crease ? 0.25 : 1));
-    ++(is_crease ? creases : flat_edges);
+    ++(is_crease ? creases : indexed_edges);
   }
-  assert(creases > 0 && flat_edges > 0);
+  assert(creases > 0 && indexed_edges > 0);
 
   // a path along the prism keeps to an edge of it
   const std::vector<Surface_mesh::Vertex_index> ends

@@ -35,7 +35,7 @@ void check(bool condition, const char* what)
 
 void test_maximizers(CGAL::Random& random)
 {
-  const SMC::Flat_mesh mesh = test::random_star_shape(6, random);
+  const SMC::Indexed_mesh mesh = test::random_star_shape(6, random);
   std::vector<double> values;
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     values.push_back(random.get_int(0, 6)); // many plateaus
@@ -65,7 +65,7 @@ void test_maximizers(CGAL::Random& random)
 
 void test_disks(CGAL::Random& random)
 {
-  const SMC::Flat_mesh mesh = test::random_star_shape(8, random);
+  const SMC::Indexed_mesh mesh = test::random_star_shape(8, random);
   const double radius = 3 * SMC::average_edge_length(mesh);
   std::vector<int> centers;
   for(int v = 0; v < mesh.number_of_vertices(); v += random.get_int(5, 30))
@@ -98,15 +98,15 @@ void test_disks(CGAL::Random& random)
 }
 
 // The energy that full convergence reaches from the state after the slit.
-double converged_energy(const SMC::Flat_mesh& mesh, const std::vector<SMP::Rest_shape>& shapes,
-                        const SMC::Running_map& map, const std::vector<int>& slit)
+double converged_energy(const SMC::Indexed_mesh& mesh, const std::vector<SMP::Rest_shape>& shapes,
+                        const SMC::Incremental_parameterization& map, const std::vector<int>& slit)
 {
-  SMC::Chart chart = map.chart();
+  SMC::Corner_table chart = map.chart();
   std::vector<Eigen::Vector2d> uv = map.uv();
   std::vector<int> halfedges;
   for(int e : slit)
     halfedges.push_back(mesh.halfedge(e));
-  const SMC::Chart::Opening opening = chart.open(halfedges);
+  const SMC::Corner_table::Opening opening = chart.open(halfedges);
   uv.resize(chart.number_of_vertices());
   for(const auto& [corner, former] : opening.corners)
     uv[chart.source(corner)] = uv[former];
@@ -128,10 +128,10 @@ bool are_equal(const SMC::Open_chart& a, const SMC::Open_chart& b)
 // threshold, relative to it.
 void test_replay(const SMC::Mapping_policy& policy, double tolerance, CGAL::Random& random, int& decisions)
 {
-  const SMC::Flat_mesh mesh = test::random_star_shape(14, random);
+  const SMC::Indexed_mesh mesh = test::random_star_shape(14, random);
   const std::vector<SMP::Rest_shape> shapes = SMP::rest_shapes(mesh.triangles(), mesh.points());
   SMC::Run_control control;
-  SMC::Running_map map(mesh, shapes, policy, control);
+  SMC::Incremental_parameterization map(mesh, shapes, policy, control);
   check(map.initialize(SMC::make_cut(mesh, SMC::path_to_farthest_vertex(mesh, 0, 2))), "initial map");
   SMC::Shortest_paths paths(mesh.graph());
   const double threshold = 0.01;
@@ -167,7 +167,7 @@ void test_replays(CGAL::Random& random)
 {
   const SMP::Simplicial_solver_source linear_solvers;
   SMC::Cutting_parameters faithful;
-  faithful.is_faithful = true;
+  faithful.use_published_method = true;
   faithful.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
   int decisions = 0;
   for(int i = 0; i < 12; ++i)
@@ -181,7 +181,7 @@ void test_replays(CGAL::Random& random)
 // What is filtered: a closed surface if `cut` is empty.
 struct Filtering
 {
-  const SMC::Flat_mesh& mesh;
+  const SMC::Indexed_mesh& mesh;
   const std::vector<SMP::Rest_shape> shapes;
   std::vector<SMC::Candidate> candidates;
   std::vector<int> terminals;
@@ -216,7 +216,7 @@ void with_four_threads(const Function& f)
 // Candidates at random, so that some are on the cut, blocked, accepted, or rejected.
 void test_speculation(bool is_closed, CGAL::Random& random, int& decisions)
 {
-  const SMC::Flat_mesh mesh = test::random_star_shape(random.get_int(10, 20), random);
+  const SMC::Indexed_mesh mesh = test::random_star_shape(random.get_int(10, 20), random);
   Filtering f{mesh, SMP::rest_shapes(mesh.triangles(), mesh.points()), {}, {}, {}};
   if(!is_closed)
     f.cut = SMC::make_cut(mesh, SMC::path_to_farthest_vertex(mesh, 0, 2));
@@ -233,7 +233,7 @@ void test_speculation(bool is_closed, CGAL::Random& random, int& decisions)
         check(found.features() == expected.features(), "the same features with several threads");
         check(std::equal(found.trade_offs().begin(), found.trade_offs().end(), expected.trade_offs().begin(),
                          expected.trade_offs().end(), [](const auto& a, const auto& b)
-                         { return a.cut_length == b.cut_length && a.E_iso == b.E_iso; }), "the same cuts accepted");
+                         { return a.cut_length == b.cut_length && a.average_distortion == b.average_distortion; }), "the same cuts accepted");
         check(are_equal(found.map().state(), expected.map().state()), "the same map with several threads");
       });
     });

@@ -1,8 +1,8 @@
-// Meshes of all types against their flat copies, and what is refused.
+// Meshes of all types against their indexed copies, and what is refused.
 
 #undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/mesh_checks.h>
 
@@ -43,7 +43,7 @@ template <typename Mesh>
 void test_maps(const Mesh& mesh, const Adapter<Mesh>& adapter)
 {
   using Graph_traits = boost::graph_traits<Mesh>;
-  const Flat_mesh& flat = adapter.mesh();
+  const Indexed_mesh& flat = adapter.mesh();
   CGAL::Random random(2);
   auto cut_map = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   for(auto e : edges(mesh))
@@ -59,7 +59,7 @@ void test_maps(const Mesh& mesh, const Adapter<Mesh>& adapter)
   for(auto e : edges(mesh))
     assert(!(is_border(e, mesh) && get(cut_map, e)));
 
-  const Chart chart = make_chart(flat, cut);
+  const Corner_table chart = make_chart(flat, cut);
   std::vector<Eigen::Vector2d> uv;
   for(int v = 0; v < chart.number_of_vertices(); ++v)
     uv.emplace_back(random.get_double(), random.get_double());
@@ -75,14 +75,14 @@ void test_maps(const Mesh& mesh, const Adapter<Mesh>& adapter)
       assert(corners[h][k] == adapter.to_original_scale(uv[chart.source(h)][k]));
 }
 
-// The flat mesh has the elements of the mesh, in its order, and its connectivity and geometry.
+// The indexed mesh has the elements of the mesh, in its order, and its connectivity and geometry.
 template <typename Mesh>
 void test_copy(const Mesh& mesh)
 {
   using Graph_traits = boost::graph_traits<Mesh>;
   const Adapter<Mesh> adapter = adapt(mesh);
   assert(adapter.status());
-  const Flat_mesh& flat = adapter.mesh();
+  const Indexed_mesh& flat = adapter.mesh();
 
   std::map<typename Graph_traits::vertex_descriptor, int> vertex_index;
   for(auto v : vertices(mesh))
@@ -230,19 +230,19 @@ void test_refused()
   assert(check(mesh));
 }
 
-// Faces given twice need parallel edges, which only flat arrays make easily.
+// Faces given twice need parallel edges, which only index arrays make easily.
 void test_faces_given_twice()
 {
   std::vector<Point> points;
   std::vector<Triangle> triangles = {{0, 1, 2}, {0, 1, 2}};
   std::vector<int> opposites = {-1, -1, -1, -1, -1, -1};
-  const Flat_mesh twice({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, triangles, opposites);
+  const Indexed_mesh twice({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, triangles, opposites);
   assert(faces_given_twice(twice) == std::vector<int>({0, 1}));
   triangles[1] = {1, 2, 0};
-  assert(faces_given_twice(Flat_mesh(twice.points(), triangles, opposites)) == std::vector<int>({0, 1}));
+  assert(faces_given_twice(Indexed_mesh(twice.points(), triangles, opposites)) == std::vector<int>({0, 1}));
   triangles[1] = {0, 2, 1};
-  assert(faces_given_twice(Flat_mesh(twice.points(), triangles, opposites)).empty());
-  assert(faces_given_twice(Flat_mesh(twice.points(), triangles, {5, 4, 3, 2, 1, 0})).empty());
+  assert(faces_given_twice(Indexed_mesh(twice.points(), triangles, opposites)).empty());
+  assert(faces_given_twice(Indexed_mesh(twice.points(), triangles, {5, 4, 3, 2, 1, 0})).empty());
 }
 
 void test_warnings()
@@ -291,18 +291,18 @@ void test_components()
     all.add(soup);
   Surface_mesh mesh = test::make_mesh<Surface_mesh>(all);
   mesh.add_vertex(Surface_mesh::Point(0, 0, 0));
-  const Flat_mesh whole = adapt(mesh).mesh();
-  const std::vector<Flat_component> components = split_into_components(whole);
+  const Indexed_mesh whole = adapt(mesh).mesh();
+  const std::vector<Indexed_component> components = split_into_components(whole);
   assert(components.size() == soups.size());
   int vertices = 0, edges = 0, faces = 0;
   Cut cut(whole.number_of_edges(), 0);
   for(std::size_t i = 0; i < components.size(); ++i)
   {
-    const Flat_component& c = components[i];
+    const Indexed_component& c = components[i];
     assert(c.topology.euler_characteristic == expected[i][0]);
     assert(c.topology.border_loops == expected[i][1]);
     assert(c.topology.genus() == expected[i][2]);
-    const Flat_mesh& m = c.mesh;
+    const Indexed_mesh& m = c.mesh;
     assert(m.number_of_vertices() - m.number_of_edges() + m.number_of_faces() == expected[i][0]);
     vertices += m.number_of_vertices();
     edges += m.number_of_edges();
@@ -319,15 +319,15 @@ void test_components()
     const Cut all_edges(m.number_of_edges(), 1);
     c.add_to(all_edges, cut);
     assert(c.restriction(cut) == all_edges);
-    const Flat_status status = c.in_whole(Flat_status(Status_code::NOT_CERTIFIED, "", Element_kind::FACE, {0}));
+    const Indexed_status status = c.in_whole(Indexed_status(Status_code::NOT_CERTIFIED, "", Element_kind::FACE, {0}));
     assert(status.finding.indices == std::vector<int>{c.faces[0]});
   }
   assert(std::count(cut.begin(), cut.end(), 0) == 0);
   assert(vertices == whole.number_of_vertices() - 1 && edges == whole.number_of_edges() && faces == whole.number_of_faces());
 
   // A single component is the mesh itself.
-  const Flat_mesh sphere = adapt(test::make_mesh<Surface_mesh>(test::sphere(4, 2))).mesh();
-  const std::vector<Flat_component> one = split_into_components(sphere);
+  const Indexed_mesh sphere = adapt(test::make_mesh<Surface_mesh>(test::sphere(4, 2))).mesh();
+  const std::vector<Indexed_component> one = split_into_components(sphere);
   assert(one.size() == 1 && one[0].mesh.triangles() == sphere.triangles() && one[0].topology.euler_characteristic == 2);
   assert(one[0].vertices.size() == sphere.points().size() && one[0].edges.back() == sphere.number_of_edges() - 1);
 }

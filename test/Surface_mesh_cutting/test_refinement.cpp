@@ -85,7 +85,7 @@ void check_trade_offs(const Result& result)
   bool is_monotonic = true, holds_result = false;
   for(std::size_t i = 0; i < t.size(); ++i)
   {
-    is_monotonic = is_monotonic && (i == 0 || (t[i - 1].cut_length < t[i].cut_length && t[i - 1].E_iso > t[i].E_iso));
+    is_monotonic = is_monotonic && (i == 0 || (t[i - 1].cut_length < t[i].cut_length && t[i - 1].average_distortion > t[i].average_distortion));
     holds_result = holds_result || std::abs(t[i].cut_length - result.cut_length) < 1e-9 * result.cut_length;
   }
   check(!t.empty() && is_monotonic && holds_result, "trade-offs: from short to long, with the result");
@@ -102,19 +102,19 @@ void test_bounds()
   for(double bound : {4.3, 4.1, 4.04})
   {
     Maps maps(mesh, std::to_string(bound).c_str());
-    const auto np = CGAL::parameters::maximum_distortion(bound).effort(SMC::Effort::FAST);
+    const auto np = CGAL::parameters::maximum_average_distortion(bound).effort(SMC::Effort::FAST);
     const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, np);
     check(bool(result) && bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "bounded");
-    std::cout << bound << ": length " << result.cut_length << ", energy " << result.E_iso << " " << result.status.message << std::endl;
+    std::cout << bound << ": length " << result.cut_length << ", energy " << result.average_distortion << " " << result.status.message << std::endl;
     check(measure(mesh, maps) <= bound + 1e-12, "the bound holds for what was written");
-    check(std::abs(measure(mesh, maps) - result.E_iso) < 1e-9, "the energy that is reported");
+    check(std::abs(measure(mesh, maps) - result.average_distortion) < 1e-9, "the energy that is reported");
     check(result.cut_length > former_length, "a lower bound takes a longer cut");
     former_length = result.cut_length;
     check_trade_offs(result);
 
     Maps flat(mesh, ("flat" + std::to_string(bound)).c_str());
     const auto bijective = SMC::unwrap(mesh, flat.is_cut, flat.uv, np.do_bijective(true));
-    std::cout << "bijective: length " << bijective.cut_length << ", energy " << bijective.E_iso << std::endl;
+    std::cout << "bijective: length " << bijective.cut_length << ", energy " << bijective.average_distortion << std::endl;
     check(bijective.has_result && bijective.overlaps == 0 && bijective.flips == 0, "bounded and bijective");
     check(bool(bijective) == (measure(mesh, flat) <= bound + 1e-12), "a missed bound is reported");
     check(bool(bijective) || bound < 4.2, "a modest bound can be kept by a bijective map");
@@ -131,11 +131,11 @@ void test_unreachable_bound()
   for(Mesh::Edge_index e : mesh.edges())
     is_forbidden[e] = mesh.point(mesh.vertex(e, 0)).z() > 0 && mesh.point(mesh.vertex(e, 1)).z() > 0;
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
-                                  CGAL::parameters::maximum_distortion(4.001).edge_is_forbidden_map(is_forbidden));
+                                  CGAL::parameters::maximum_average_distortion(4.001).edge_is_forbidden_map(is_forbidden));
   check(result.status.code == Status_code::BOUND_NOT_REACHED && result.has_result, "a bound out of reach");
   check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate beyond the bound");
   for(double bound : {4., 0., -1., std::numeric_limits<double>::quiet_NaN()})
-    check(SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::maximum_distortion(bound)).status.code ==
+    check(SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::maximum_average_distortion(bound)).status.code ==
           Status_code::WRONG_PARAMETER, "no bound at all");
 }
 
@@ -146,7 +146,7 @@ void test_shortening()
   const auto first = SMC::unwrap(mesh, fast.is_cut, fast.uv, effort(SMC::Effort::FAST));
   const auto second = SMC::unwrap(mesh, slow.is_cut, slow.uv);
   check(bool(first) && bool(second) && second.cut_length <= first.cut_length * (1 + 1e-12), "shortening");
-  check(second.E_iso <= first.E_iso + 0.01 + 1e-6, "shortening costs epsilon_iso at most");
+  check(second.average_distortion <= first.average_distortion + 0.01 + 1e-6, "shortening costs epsilon_iso at most");
 }
 
 void test_coarser_version()
@@ -157,8 +157,8 @@ void test_coarser_version()
   const auto first = SMC::unwrap(mesh, coarse.is_cut, coarse.uv, np.coarse_number_of_faces(800));
   const auto second = SMC::unwrap(mesh, fine.is_cut, fine.uv, np.coarse_number_of_faces(0));
   check(bool(first) && bool(second) && bool(SMC::certify_unwrap(mesh, coarse.is_cut, coarse.uv)), "coarser version");
-  check(first.candidates < second.candidates || first.features <= second.features, "fewer candidates");
-  check(std::abs(first.E_iso - second.E_iso) < 0.1, "about the same energy");
+  check(first.number_of_candidates < second.number_of_candidates || first.number_of_features <= second.number_of_features, "fewer candidates");
+  check(std::abs(first.average_distortion - second.average_distortion) < 0.1, "about the same energy");
 }
 
 void test_given_cuts()
@@ -193,7 +193,7 @@ void test_stopping()
 {
   Mesh mesh = star(8);
   Maps maps(mesh, "stopped");
-  const auto np = CGAL::parameters::maximum_distortion(4.05);
+  const auto np = CGAL::parameters::maximum_average_distortion(4.05);
   Stopping_visitor counter;
   check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(counter)))), "not stopped");
   int with_result = 0, without_result = 0;

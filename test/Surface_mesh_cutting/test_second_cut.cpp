@@ -17,7 +17,7 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting::internal;
-using test::Flat_mesh;
+using test::Indexed_mesh;
 
 int failures = 0;
 
@@ -30,7 +30,7 @@ void check(bool condition, const std::string& what)
 }
 
 // The edges of some faces.
-std::vector<char> edges_of(const Flat_mesh& mesh, const std::set<int>& faces)
+std::vector<char> edges_of(const Indexed_mesh& mesh, const std::set<int>& faces)
 {
   std::vector<char> is_edge(mesh.number_of_edges(), 0);
   for(int f : faces)
@@ -40,7 +40,7 @@ std::vector<char> edges_of(const Flat_mesh& mesh, const std::set<int>& faces)
 }
 
 // The faces outside the forbidden region, the connected part of largest area.
-std::set<int> largest_part(const Flat_mesh& mesh, const std::vector<double>& distance, double radius, double& area)
+std::set<int> largest_part(const Indexed_mesh& mesh, const std::vector<double>& distance, double radius, double& area)
 {
   std::vector<int> label(mesh.number_of_faces(), -1);
   for(int f = 0; f < mesh.number_of_faces(); ++f)
@@ -73,7 +73,7 @@ std::set<int> largest_part(const Flat_mesh& mesh, const std::vector<double>& dis
 }
 
 // The region of the second cut: at the largest radius of those tried at which the part is large enough.
-std::set<int> region(const Flat_mesh& mesh, const std::vector<int>& first_cut, const std::vector<int>& maximizers,
+std::set<int> region(const Indexed_mesh& mesh, const std::vector<int>& first_cut, const std::vector<int>& maximizers,
                      const SMC::Cutting_parameters& parameters)
 {
   std::set<int> centers(maximizers.begin(), maximizers.end());
@@ -97,7 +97,7 @@ std::set<int> region(const Flat_mesh& mesh, const std::vector<int>& first_cut, c
 }
 
 // Whether the edges form a path that starts at `start`.
-bool is_path(const Flat_mesh& mesh, const std::vector<int>& edges, int start)
+bool is_path(const Indexed_mesh& mesh, const std::vector<int>& edges, int start)
 {
   std::multiset<int> ends;
   for(int e : edges)
@@ -110,7 +110,7 @@ bool is_path(const Flat_mesh& mesh, const std::vector<int>& edges, int start)
 }
 
 // One sweep, from a vertex that the random number chooses in the region, within its edges.
-void check_faithful_cut(const Flat_mesh& mesh, const std::vector<int>& path, const std::set<int>& region,
+void check_faithful_cut(const Indexed_mesh& mesh, const std::vector<int>& path, const std::set<int>& region,
                         int random_number)
 {
   const std::vector<char> is_allowed = edges_of(mesh, region);
@@ -130,13 +130,13 @@ void check_faithful_cut(const Flat_mesh& mesh, const std::vector<int>& path, con
 
 void test_second_cut(CGAL::Random& random)
 {
-  const Flat_mesh mesh = test::random_star_shape(random.get_int(6, 10), random);
+  const Indexed_mesh mesh = test::random_star_shape(random.get_int(6, 10), random);
   const std::vector<int> first = SMC::path_to_farthest_vertex(mesh, random.get_int(0, mesh.number_of_vertices()), 1);
   std::vector<int> maximizers;
   for(int i = random.get_int(0, 5); i > 0; --i)
     maximizers.push_back(random.get_int(0, mesh.number_of_vertices()));
   SMC::Cutting_parameters parameters;
-  parameters.is_faithful = true;
+  parameters.use_published_method = true;
   parameters.forbidden_radius = random.get_double(1, 12);
   parameters.minimum_area_ratio = random.get_double(0, 0.6);
   const int random_number = random.get_int(0, 1 << 30);
@@ -146,7 +146,7 @@ void test_second_cut(CGAL::Random& random)
   check(path == SMC::second_cut(mesh, random_number, first, maximizers, parameters, control), "the same twice");
 
   // Unless the paper is followed, a path is longer than in a tiny region.
-  parameters.is_faithful = false;
+  parameters.use_published_method = false;
   const std::vector<int> useful = SMC::second_cut(mesh, random_number, first, maximizers, parameters, control);
   check(SMC::total_length(mesh, useful) >= 0.1 * SMC::total_length(mesh, first), "a path of useful length");
 }
@@ -155,7 +155,7 @@ void test_second_cut(CGAL::Random& random)
 // path of one edge is of the region, too.
 void test_paths_in_regions(CGAL::Random& random)
 {
-  const Flat_mesh mesh = test::random_star_shape(6, random);
+  const Indexed_mesh mesh = test::random_star_shape(6, random);
   for(int i = 0; i < 50; ++i)
   {
     const int seed = random.get_int(0, mesh.number_of_faces());
@@ -173,11 +173,11 @@ void test_paths_in_regions(CGAL::Random& random)
 // Nothing may be forbidden where the part has to be the whole surface.
 void test_whole_area(CGAL::Random& random)
 {
-  const Flat_mesh mesh = test::random_star_shape(random.get_int(6, 16), random);
+  const Indexed_mesh mesh = test::random_star_shape(random.get_int(6, 16), random);
   for(bool is_faithful : {false, true})
   {
     SMC::Cutting_parameters parameters;
-    parameters.is_faithful = is_faithful;
+    parameters.use_published_method = is_faithful;
     parameters.minimum_area_ratio = 1;
     int calls = 0;
     SMC::Run_control control([&calls] { return ++calls < 10000; }, {});

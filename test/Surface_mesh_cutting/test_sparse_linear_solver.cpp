@@ -89,14 +89,14 @@ Run unwrap_with(const Surface_mesh& mesh, const Solver& solver)
 void check_like_default(const Run& run, const Run& expected, const char* solver)
 {
   check(bool(run.result) && run.is_certified, solver);
-  check(std::abs(run.result.E_iso - expected.result.E_iso) < 1e-4 &&
+  check(std::abs(run.result.average_distortion - expected.result.average_distortion) < 1e-4 &&
         std::abs(run.result.cut_length - expected.result.cut_length) < 1e-9, solver);
 }
 
 void test_solvers(const Surface_mesh& mesh)
 {
   const Run expected = unwrap(mesh, CGAL::parameters::do_bijective(true));
-  std::cout << "E " << expected.result.E_iso << ", length " << expected.result.cut_length << std::endl;
+  std::cout << "E " << expected.result.average_distortion << ", length " << expected.result.cut_length << std::endl;
   check(bool(expected.result) && expected.is_certified, "built-in solver");
   check(unwrap_with(mesh, CGAL::Default()).values == expected.values, "named default");
 

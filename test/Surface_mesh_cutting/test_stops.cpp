@@ -106,8 +106,8 @@ struct Task
   template <typename Visitor>
   auto parameters(const Setting& s, const Visitor& visitor) const
   {
-    return CGAL::parameters::visitor(visitor).effort(s.effort).connection(s.connection).maximum_distortion(s.bound)
-      .faithful(s.is_faithful).do_bijective(s.do_bijective).edge_weight_map(weight);
+    return CGAL::parameters::visitor(visitor).effort(s.effort).connection(s.connection).maximum_average_distortion(s.bound)
+      .use_published_method(s.is_faithful).do_bijective(s.do_bijective).edge_weight_map(weight);
   }
 
   bool is_cut_untouched() const

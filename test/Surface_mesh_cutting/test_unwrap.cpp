@@ -71,15 +71,15 @@ void test_valid(Mesh mesh, const char* name)
 {
   Maps<Mesh> maps(mesh), again(mesh);
   const SMC::Unwrap_result<Mesh> result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
-  std::cout << name << ": " << result.features << " features, E " << result.E_iso << std::endl;
+  std::cout << name << ": " << result.number_of_features << " features, E " << result.average_distortion << std::endl;
   check(bool(result), result.status.message.c_str());
   check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate");
-  check(bool(SMC::is_cut_to_disks(mesh, maps.is_cut)), "disks");
+  check(SMC::is_cut_to_disks(mesh, maps.is_cut), "disks");
   check(result.genus == 0 && result.components == 1 && result.borders == 0, "topology");
-  check(result.features == int(result.feature_points.size()), "feature points");
+  check(result.number_of_features == int(result.feature_points.size()), "feature points");
   check(std::abs(result.cut_length - SMC::cut_length(mesh, maps.is_cut)) <= 1e-12 * result.cut_length, "length");
-  check(result.E_iso >= 4 && result.E_iso <= 4.5 && result.E_max >= result.E_iso, "energy");
-  check(result.cut_lower_bound && *result.cut_lower_bound <= result.cut_length * (1 + 1e-12), "lower bound");
+  check(result.average_distortion >= 4 && result.average_distortion <= 4.5 && result.largest_face_distortion >= result.average_distortion, "energy");
+  check(result.lower_bound && *result.lower_bound <= result.cut_length * (1 + 1e-12), "lower bound");
 
   // The cut is a tree through the feature points whose leaves are feature points.
   std::map<std::size_t, int> degrees;
@@ -146,7 +146,7 @@ void test_topologies()
     check(bool(result), result.status.message.c_str());
     check(result.components == c.components && result.genus == c.genus && result.borders == c.borders, "topology");
     check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate of any topology");
-    check(result.E_iso < 4.5, "energy of any topology");
+    check(result.average_distortion < 4.5, "energy of any topology");
     Maps<test::Surface_mesh> again(mesh);
     Exclusive_visitor visitor;
     check(bool(SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv,
@@ -160,7 +160,7 @@ void test_topologies()
   test::Surface_mesh patch = test::make_mesh<test::Surface_mesh>(test::patch(1, 1));
   Maps<test::Surface_mesh> maps(patch);
   const auto result = SMC::unwrap(patch, maps.is_cut, maps.uv);
-  check(bool(result) && result.cut_length == 0 && result.E_iso < 4 + 1e-9, "a flat patch stays whole");
+  check(bool(result) && result.cut_length == 0 && result.average_distortion < 4 + 1e-9, "a flat patch stays whole");
 }
 
 // A sphere with long arms, whose chart overlaps itself; and does not if that is asked for.
@@ -183,7 +183,7 @@ void test_bijective()
   check(bool(result) && result.overlaps && *result.overlaps == 0, "a bijective map");
   check(bool(SMC::certify_unwrap(mesh, flat.is_cut, flat.uv, bijective)), "certificate of a bijective map");
   check(result.cut_length == plain.cut_length, "the same cut");
-  check(result.E_iso >= plain.E_iso && result.E_iso < plain.E_iso + 0.2, "energy of a bijective map");
+  check(result.average_distortion >= plain.average_distortion && result.average_distortion < plain.average_distortion + 0.2, "energy of a bijective map");
   Maps<test::Surface_mesh> again(mesh);
   SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv, bijective);
   check(flat.values(mesh) == again.values(mesh), "the same bijective map with several threads");
@@ -209,7 +209,7 @@ void test_scales()
     Maps<test::Surface_mesh> maps(mesh);
     const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
     check(bool(result), "extreme scale");
-    energies.push_back(result.E_iso);
+    energies.push_back(result.average_distortion);
   }
   check(energies[0] == energies[1] && energies[0] == energies[2], "energy does not depend on the scale");
 }
@@ -226,8 +226,8 @@ void test_squashed()
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::effort(SMC::Effort::FAST));
   double lowest = std::numeric_limits<double>::infinity();
   for(const SMC::Trade_off& t : result.trade_offs)
-    lowest = (std::min)(lowest, t.E_iso);
-  check(result && result.E_iso < 2.01 * lowest, "connecting keeps what filtering gained");
+    lowest = (std::min)(lowest, t.average_distortion);
+  check(result && result.average_distortion < 2.01 * lowest, "connecting keeps what filtering gained");
 }
 
 void test_methods()
@@ -245,16 +245,16 @@ void test_methods()
     if(connection == SMC::Connection::EXACT)
     {
       exact = result.cut_length;
-      check(result.optimal && *result.optimal, "proof");
+      check(result.is_optimal && *result.is_optimal, "proof");
     }
   }
   check(exact <= shortest * (1 + 1e-12), "the exact tree is the shortest");
-  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::faithful(true))), "faithful");
+  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::use_published_method(true))), "faithful");
   check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::effort(SMC::Effort::BEST))), "best");
 
   std::vector<test::Surface_mesh::Vertex_index> points;
   const auto detected = SMC::detect_feature_points(mesh, std::back_inserter(points));
-  check(bool(detected) && detected.features == int(points.size()) && points.size() >= 2, "detection");
+  check(bool(detected) && detected.number_of_features == int(points.size()) && points.size() >= 2, "detection");
 }
 
 struct Stopping_visitor : public SMC::Default_visitor

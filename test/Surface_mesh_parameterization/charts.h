@@ -1,7 +1,7 @@
 #ifndef TEST_CHARTS_H
 #define TEST_CHARTS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/Random.h>
@@ -23,12 +23,12 @@ inline const smp::Simplicial_solver_source linear_solvers;
 // A chart over points, for tests.
 struct Test_surface
 {
-  smp::Chart chart;
+  smp::Corner_table chart;
   std::vector<Eigen::Vector3d> points;
 };
 
 // Edges that occur once are border.
-inline smp::Chart make_chart(const std::vector<smp::Triangle>& triangles, int number_of_vertices)
+inline smp::Corner_table make_chart(const std::vector<smp::Triangle>& triangles, int number_of_vertices)
 {
   std::map<std::pair<int, int>, int> halfedges;
   for(int t = 0; t < int(triangles.size()); ++t)
@@ -41,7 +41,7 @@ inline smp::Chart make_chart(const std::vector<smp::Triangle>& triangles, int nu
     if(o != halfedges.end())
       opposites[h.second] = o->second;
   }
-  return smp::Chart(triangles, opposites, number_of_vertices);
+  return smp::Corner_table(triangles, opposites, number_of_vertices);
 }
 
 // m times n squares, each cut along one of its diagonals at random; those for which `is_hole(i, j)`

@@ -20,7 +20,7 @@ using namespace smp;
 using Eigen::Vector2d;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
-std::vector<int> border_halfedges(const Chart& chart)
+std::vector<int> border_halfedges(const Corner_table& chart)
 {
   std::vector<int> border;
   for(int h = 0; h < int(chart.opposites().size()); ++h)
@@ -30,7 +30,7 @@ std::vector<int> border_halfedges(const Chart& chart)
 }
 
 // All pairs of border edges; consecutive ones share their common vertex only.
-bool has_crossing(const Chart& chart, const std::vector<Vector2d>& uv)
+bool has_crossing(const Corner_table& chart, const std::vector<Vector2d>& uv)
 {
   const auto point = [&](int v) { return Exact_kernel::Point_2(uv[v].x(), uv[v].y()); };
   const std::vector<int> border = border_halfedges(chart);
@@ -65,14 +65,14 @@ bool has_flip(const std::vector<Triangle>& triangles, const std::vector<Vector2d
   return false;
 }
 
-double energy(const Chart& chart, const std::vector<Rest_shape>& shapes, const std::vector<Vector2d>& uv)
+double energy(const Corner_table& chart, const std::vector<Rest_shape>& shapes, const std::vector<Vector2d>& uv)
 {
   return area_average(shapes, face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv));
 }
 
-// Chart and scaffold together are a box without gaps: all triangles are positive, all borders of the
+// Corner_table and scaffold together are a box without gaps: all triangles are positive, all borders of the
 // chart are covered, and the areas add up.
-void check_scaffold(const Chart& chart, const std::vector<Vector2d>& uv)
+void check_scaffold(const Corner_table& chart, const std::vector<Vector2d>& uv)
 {
   Scaffold scaffold;
   const bool is_built = scaffold.build(chart, uv);
@@ -107,7 +107,7 @@ void check_scaffold(const Chart& chart, const std::vector<Vector2d>& uv)
 // Borders that touch or cross have no scaffold.
 void test_no_scaffold()
 {
-  const Chart chart = make_chart({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 6);
+  const Corner_table chart = make_chart({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 6);
   std::vector<Vector2d> uv = {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 4), Vector2d(-4, 4),
                               Vector2d(-4, -4), Vector2d(4, -4)};
   check_scaffold(chart, uv);
@@ -123,7 +123,7 @@ void test_no_scaffold()
 // A map, and whether it is the unconstrained one.
 std::pair<std::vector<Vector2d>, bool> check_map(const Test_surface& surface)
 {
-  const Chart& chart = surface.chart;
+  const Corner_table& chart = surface.chart;
   const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
   std::vector<Vector2d> plain, uv;
   Chart_parameterizer(chart, surface.points, shapes, linear_solvers).isometric_map(plain, Newton_options());
@@ -145,7 +145,7 @@ std::pair<std::vector<Vector2d>, bool> check_map(const Test_surface& surface)
 // From Tutte's embedding, with and without moving the scaffold: the energy falls, nothing crosses.
 void check_from_tutte(const Test_surface& surface)
 {
-  const Chart& chart = surface.chart;
+  const Corner_table& chart = surface.chart;
   const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
   std::vector<Vector2d> start;
   const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, start);
@@ -171,7 +171,7 @@ void check_from_tutte(const Test_surface& surface)
 // Refinement alone, without any optimization: the image of a stage lies inside the former one.
 void check_refinement(const Test_surface& surface)
 {
-  const Chart& chart = surface.chart;
+  const Corner_table& chart = surface.chart;
   Chart_hierarchy hierarchy(chart, surface.points, true);
   const int size = hierarchy.coarsen(20);
   assert(size < chart.number_of_vertices());

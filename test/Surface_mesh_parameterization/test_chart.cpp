@@ -1,7 +1,7 @@
 // Random openings of closed surfaces: the chart against a count from scratch, and closing bit for bit.
 
 #undef NDEBUG
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Random.h>
 
@@ -15,7 +15,7 @@
 
 using namespace CGAL::Surface_mesh_parameterization::internal;
 
-Chart make_closed_chart(const std::vector<Triangle>& triangles, int number_of_vertices)
+Corner_table make_closed_chart(const std::vector<Triangle>& triangles, int number_of_vertices)
 {
   std::map<std::pair<int, int>, int> halfedges;
   for(int t = 0; t < int(triangles.size()); ++t)
@@ -24,10 +24,10 @@ Chart make_closed_chart(const std::vector<Triangle>& triangles, int number_of_ve
   std::vector<int> opposites(3 * triangles.size());
   for(const auto& h : halfedges)
     opposites[h.second] = halfedges.at({h.first.second, h.first.first});
-  return Chart(triangles, opposites, number_of_vertices);
+  return Corner_table(triangles, opposites, number_of_vertices);
 }
 
-Chart torus(int m, int n)
+Corner_table torus(int m, int n)
 {
   std::vector<Triangle> triangles;
   for(int i = 0; i < m; ++i)
@@ -41,7 +41,7 @@ Chart torus(int m, int n)
 }
 
 // Rings of n vertices between two poles of valence n.
-Chart sphere(int m, int n)
+Corner_table sphere(int m, int n)
 {
   std::vector<Triangle> triangles;
   const int south = m * n, north = south + 1;
@@ -60,7 +60,7 @@ Chart sphere(int m, int n)
 }
 
 // The number of chart vertices of the surface `closed` without the links between `open` edges.
-std::vector<int> corner_classes(const Chart& closed, const std::set<int>& open)
+std::vector<int> corner_classes(const Corner_table& closed, const std::set<int>& open)
 {
   std::vector<int> parent(closed.opposites().size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -84,7 +84,7 @@ std::vector<int> corner_classes(const Chart& closed, const std::set<int>& open)
   return classes;
 }
 
-void check(const Chart& chart, const Chart& closed, const std::set<int>& open)
+void check(const Corner_table& chart, const Corner_table& closed, const std::set<int>& open)
 {
   // Exactly the open edges are border, and the others are linked as before.
   int border = 0;
@@ -96,7 +96,7 @@ void check(const Chart& chart, const Chart& closed, const std::set<int>& open)
     border += is_open;
     assert(chart.origins()[chart.source(h)] == closed.source(h));
   }
-  // Chart vertices are the classes of corners.
+  // Corner_table vertices are the classes of corners.
   const std::vector<int> classes = corner_classes(closed, open);
   std::map<int, int> vertex_of_class;
   std::set<int> vertices;
@@ -130,7 +130,7 @@ void check(const Chart& chart, const Chart& closed, const std::set<int>& open)
 }
 
 // A walk along edges of the surface, which may cross itself and repeat edges.
-std::vector<int> random_path(const Chart& chart, int length, CGAL::Random& random)
+std::vector<int> random_path(const Corner_table& chart, int length, CGAL::Random& random)
 {
   std::vector<int> path(1, random.get_int(0, int(chart.opposites().size())));
   while(int(path.size()) < length)
@@ -144,13 +144,13 @@ std::vector<int> random_path(const Chart& chart, int length, CGAL::Random& rando
   return path;
 }
 
-void test(const Chart& closed, CGAL::Random& random)
+void test(const Corner_table& closed, CGAL::Random& random)
 {
   assert(closed.border_loops().empty());
-  Chart chart = closed;
+  Corner_table chart = closed;
   std::set<int> open;
-  std::vector<Chart> states;
-  std::vector<Chart::Opening> openings;
+  std::vector<Corner_table> states;
+  std::vector<Corner_table::Opening> openings;
   for(int i = 0; i < 4; ++i)
   {
     const std::vector<int> path = random_path(chart, random.get_int(1, 12), random);
@@ -160,7 +160,7 @@ void test(const Chart& closed, CGAL::Random& random)
     check(chart, closed, open);
   }
   // All at once gives the same surface.
-  Chart at_once = closed;
+  Corner_table at_once = closed;
   at_once.open(std::vector<int>(open.begin(), open.end()));
   check(at_once, closed, open);
 
@@ -187,7 +187,7 @@ int main()
   assert(sphere(4, 5).euler_characteristic() == 2);
 
   // Everything open: one disk per triangle.
-  Chart chart = sphere(3, 4);
+  Corner_table chart = sphere(3, 4);
   std::vector<int> all(chart.opposites().size());
   std::iota(all.begin(), all.end(), 0);
   chart.open(all);

@@ -75,11 +75,11 @@ void check_topology(const Collapsible_chart& chart, const std::set<int>& vertice
       assert(chart.source(h) == v && !chart.is_dormant(h / 3));
     assert(chart.is_on_border(v) == (chart.opposites()[fan.front()] < 0));
   }
-  const Chart compact(triangles, opposites, *vertices.rbegin() + 1);
+  const Corner_table compact(triangles, opposites, *vertices.rbegin() + 1);
   assert(compact.euler_characteristic() == characteristic);
 }
 
-void test_collapses(const Chart& chart, CGAL::Random& random)
+void test_collapses(const Corner_table& chart, CGAL::Random& random)
 {
   Collapsible_chart collapsible(chart);
   std::set<int> vertices;

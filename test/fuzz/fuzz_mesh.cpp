@@ -25,7 +25,7 @@ Options options_of(unsigned bits)
   options.is_faithful = (bits & 6) == 6;
   options.is_bijective = (bits & 8) != 0;
   if((bits & 16) != 0)
-    options.maximum_distortion = 4.05;
+    options.maximum_average_distortion = 4.05;
   return options;
 }
 

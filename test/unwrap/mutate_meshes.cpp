@@ -58,7 +58,7 @@ Options pick_options(Mesh_mutator& mutator)
   options.is_faithful = kind == 9;
   options.is_bijective = mutator.pick(5) == 0;
   if(mutator.pick(10) == 0)
-    options.maximum_distortion = 4.05;
+    options.maximum_average_distortion = 4.05;
   return options;
 }
 

@@ -19,7 +19,7 @@ namespace internal = CGAL::Surface_mesh_cutting::internal;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex_point_map = boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
 
-void write(const std::string& file, const Mesh& mesh, const internal::Flat_mesh& flat,
+void write(const std::string& file, const Mesh& mesh, const internal::Indexed_mesh& flat,
            const std::vector<int>& path, const std::vector<int>& points)
 {
   std::ofstream out(file);
@@ -41,7 +41,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   const internal::Mesh_adapter<Mesh, Vertex_point_map> adapter(mesh, get(CGAL::vertex_point, mesh));
-  const internal::Flat_mesh& flat = adapter.mesh();
+  const internal::Indexed_mesh& flat = adapter.mesh();
   const auto shapes
     = CGAL::Surface_mesh_parameterization::internal::rest_shapes(flat.triangles(), flat.points());
   internal::Cutting_parameters parameters;

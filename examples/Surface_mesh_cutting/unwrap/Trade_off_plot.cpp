@@ -42,7 +42,7 @@ void draw_circle(const std::array<double, 2>& center, double radius, Number_writ
 } // namespace
 
 Trade_off_plot::Trade_off_plot(const Outcome& outcome)
-  : m_points(outcome.trade_offs), m_bound(outcome.maximum_distortion)
+  : m_points(outcome.trade_offs), m_bound(outcome.maximum_average_distortion)
 {
   // What no map is better than has no logarithm.
   m_points.erase(std::remove_if(m_points.begin(), m_points.end(),

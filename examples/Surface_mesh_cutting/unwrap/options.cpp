@@ -154,7 +154,7 @@ void add_method_options(CLI::App& app, Options& options)
   app.add_option_function<std::string>(
        "--max-distortion",
        [&options](const std::string& word)
-       { options.maximum_distortion = parse_bound("--max-distortion", word, ideal, largest); },
+       { options.maximum_average_distortion = parse_bound("--max-distortion", word, ideal, largest); },
        "Mean energy to stay below; 4 is no distortion at all,\n4.1 is hardly visible")
     ->type_name("B")->default_str("none")->group(group);
   add_number<double>(app, "--eps-iso", options.eps_iso,

@@ -18,7 +18,7 @@ struct Options
   bool is_faithful = false;
   std::optional<std::string> connect; // mst, sph, greedy, exact, best
   bool is_bijective = false;
-  std::optional<double> maximum_distortion;
+  std::optional<double> maximum_average_distortion;
   std::optional<double> eps_iso, eps_len, alpha, beta;
 
   // Files; an empty name stands for none. `edge_weights` may also be crease or visibility.

@@ -150,19 +150,19 @@ void tell(const Result& result, const Mesh& mesh, Outcome& outcome)
   outcome.cpu_seconds = phase_seconds(result.cpu_seconds);
   if(!outcome.has_result)
     return;
-  outcome.candidates = result.candidates;
-  outcome.features = result.features;
-  outcome.auxiliary = result.auxiliary;
+  outcome.candidates = result.number_of_candidates;
+  outcome.features = result.number_of_features;
+  outcome.auxiliary = result.number_of_auxiliary_points;
   outcome.cut_length = result.cut_length / result.bounding_box_diagonal;
-  if(result.cut_lower_bound)
-    outcome.cut_lower_bound = *result.cut_lower_bound / result.bounding_box_diagonal;
-  outcome.is_optimal = result.optimal;
-  outcome.average_energy = result.E_iso;
-  outcome.maximum_energy = result.E_max;
+  if(result.lower_bound)
+    outcome.lower_bound = *result.lower_bound / result.bounding_box_diagonal;
+  outcome.is_optimal = result.is_optimal;
+  outcome.average_energy = result.average_distortion;
+  outcome.maximum_energy = result.largest_face_distortion;
   outcome.flips = result.flips;
   outcome.overlaps = result.overlaps;
   for(const SMC::Trade_off& t : result.trade_offs)
-    outcome.trade_offs.push_back({t.cut_length / result.bounding_box_diagonal, t.E_iso});
+    outcome.trade_offs.push_back({t.cut_length / result.bounding_box_diagonal, t.average_distortion});
   if(outcome.message.empty())
     outcome.message = summary(outcome);
   else if(outcome.exit_code == Exit_code::STOPPED)
@@ -190,10 +190,10 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
     = CGAL::parameters::visitor(std::ref(visitor))
       .random_seed(options.seed)
       .effort(effort_of(options.effort))
-      .faithful(options.is_faithful)
+      .use_published_method(options.is_faithful)
       .do_bijective(options.is_bijective)
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
-      .maximum_distortion(options.maximum_distortion.value_or(std::numeric_limits<double>::infinity()))
+      .maximum_average_distortion(options.maximum_average_distortion.value_or(std::numeric_limits<double>::infinity()))
       .minimum_distortion_decrease(options.eps_iso.value_or(0.01))
       .minimum_length_decrease(options.eps_len.value_or(0.01))
       .minimum_area_ratio(options.alpha.value_or(0.1))

@@ -38,7 +38,7 @@ Outcome unwrap_file(const Options& options, Output_places& places)
   outcome.threads = options.threads;
   outcome.seed = options.seed;
   outcome.effort = options.effort;
-  outcome.maximum_distortion = options.maximum_distortion;
+  outcome.maximum_average_distortion = options.maximum_average_distortion;
   outcome.solver = options.solver;
   try
   {

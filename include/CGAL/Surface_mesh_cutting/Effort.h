@@ -36,7 +36,7 @@ enum class Connection
 {
   METRIC_CLOSURE,          ///< the minimum spanning tree of the shortest paths between all points
   SHORTEST_PATH_HEURISTIC, ///< a tree that grows by the path to the nearest point outside
-  GREEDY,                  ///< auxiliary points, added one by one and, except with `faithful(true)`, then exchanged
+  GREEDY,                  ///< auxiliary points, added one by one and, except with `use_published_method(true)`, then exchanged
   EXACT,                   ///< a shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget
   BEST                     ///< a shortest tree within the budget, otherwise the best one found and a lower bound
 };

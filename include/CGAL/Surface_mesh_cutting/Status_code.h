@@ -35,7 +35,7 @@ enum class Status_code
   NUMERICAL_FAILURE,       ///< no flip-free parameterization was found. Witness: faces.
   NOT_CERTIFIED,           ///< the result failed the exact check. Witness: faces.
   STOPPED,                 ///< the visitor or the time limit ended the run.
-  BOUND_NOT_REACHED        ///< the result is valid but misses `maximum_distortion`, or, with `Connection::EXACT`, lacks
+  BOUND_NOT_REACHED        ///< the result is valid but misses `maximum_average_distortion`, or, with `Connection::EXACT`, lacks
                            ///  the proof that it is shortest.
 };
 

@@ -23,7 +23,7 @@ namespace Surface_mesh_cutting {
 struct Trade_off
 {
   double cut_length = 0; ///< total length of the cut edges.
-  double E_iso = 0;      ///< area-averaged symmetric Dirichlet energy; 4 is ideal.
+  double average_distortion = 0;      ///< area-averaged symmetric Dirichlet energy; 4 is ideal.
 };
 
 } // namespace Surface_mesh_cutting

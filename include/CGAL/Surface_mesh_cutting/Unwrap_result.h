@@ -44,9 +44,9 @@ struct Cut_result
   int genus = 0;      ///< sum of the genera of the components.
   int borders = 0;    ///< number of border loops of the surface.
 
-  int candidates = 0; ///< number of candidates for feature points.
-  int features = 0;   ///< number of feature points.
-  int auxiliary = 0;  ///< number of branch points that the connection added.
+  int number_of_candidates = 0; ///< number of candidates for feature points.
+  int number_of_features = 0; ///< number of feature points.
+  int number_of_auxiliary_points = 0; ///< number of branch points that the connection added.
   /// the feature points.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> feature_points;
 
@@ -54,9 +54,9 @@ struct Cut_result
   double cut_length = 0;            ///< total length of the cut edges.
   /// a lower bound on the length of any cut through the same feature points, along the constrained edges and the
   /// loops that cut the handles; empty if no bound was computed, as with weights other than lengths.
-  std::optional<double> cut_lower_bound;
+  std::optional<double> lower_bound;
   /// whether no such cut is shorter; empty if no bound was computed.
-  std::optional<bool> optimal;
+  std::optional<bool> is_optimal;
 
   /// what other cuts offer, from short to long: the cuts that the run considered, without those that are neither
   /// shorter nor less distorted than another one. If feature points were detected on a coarser version, all cuts but
@@ -80,8 +80,8 @@ struct Unwrap_result : public Cut_result<TriangleMesh>
 {
   /// area-averaged symmetric Dirichlet energy of the UVs as the map holds them; 4 is ideal. Faces of no area do not
   /// count; those of nearly none are mapped as if they were thicker, yet measured as they are.
-  double E_iso = 0;
-  double E_max = 0; ///< largest symmetric Dirichlet energy of a face that has an area.
+  double average_distortion = 0;
+  double largest_face_distortion = 0; ///< largest symmetric Dirichlet energy of a face that has an area.
   int flips = 0;    ///< number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.
   /// number of overlaps, decided exactly; empty without `do_bijective`, and 0 if there is a result.
   std::optional<int> overlaps;

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
@@ -25,7 +25,7 @@
 #include <vector>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/certify_flat_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_map.h>
 #endif
 
 namespace CGAL {
@@ -88,7 +88,7 @@ namespace Surface_mesh_cutting {
 ///   `Status_code::INVALID_POINT` for an unsupported mesh.
 ///
 /// \sa `unwrap()`
-/// \sa `is_cut_to_disks()`
+/// \sa `certify_cut()`
 template <typename TriangleMesh, typename EdgeIsCutMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
@@ -104,13 +104,13 @@ Status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge
                             get_const_property_map(CGAL::vertex_point, tmesh)));
   const bool do_bijective = choose_parameter(get_parameter(np, internal_np::do_bijective), false);
 
-  internal::Flat_status status = adapter.status();
+  internal::Indexed_status status = adapter.status();
   if(!status)
     return adapter.translate(status);
   const internal::Cut cut = adapter.read_cut(edge_is_cut_map);
-  const internal::Chart chart = internal::make_chart(adapter.mesh(), cut);
+  const internal::Corner_table chart = internal::make_chart(adapter.mesh(), cut);
   const std::vector<Eigen::Vector2d> uvs = adapter.read_uvs(halfedge_uv_map);
-  status.finding = internal::certify_flat_map(chart, uvs, do_bijective).finding;
+  status.finding = internal::certify_indexed_map(chart, uvs, do_bijective).finding;
   return adapter.translate(status);
 }
 

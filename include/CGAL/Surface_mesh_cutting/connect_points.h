@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
@@ -31,7 +31,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/cut_through_points.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/connect_indexed_points.h>
 #endif
 
 namespace CGAL {
@@ -97,7 +97,7 @@ struct Connection_result
 ///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{faithful}
+///   \cgalParamNBegin{use_published_method}
 ///     \cgalParamDescription{whether to connect as the paper does: greedily, without exchanging auxiliary points at the
 ///                           end}
 ///     \cgalParamType{Boolean}
@@ -151,20 +151,20 @@ connect_points(const TriangleMesh& tmesh, const VertexRange& points, EdgeIsCutMa
   const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
-  const internal::Request request = internal::read_request(np);
+  const internal::Cutting_parameters parameters = internal::read_cutting_parameters(np);
   internal::Edge_constraints constraints;
-  internal::Flat_status status = adapter.status();
+  internal::Indexed_status status = adapter.status();
   if(status)
-    status.finding = internal::check_parameters(request.parameters).finding;
+    status.finding = internal::check_parameters(parameters).finding;
   if(status)
     status.finding = internal::read_edge_constraints(adapter, np, constraints).finding;
 
   Connection_result<TriangleMesh> result;
   if(status)
   {
-    const internal::Flat_mesh& mesh = adapter.mesh();
-    const internal::Connected_cut connected = internal::cut_through_points<ConcurrencyTag>(
-      mesh, constraints, internal::read_vertices(tmesh, adapter, points), request,
+    const internal::Indexed_mesh& mesh = adapter.mesh();
+    const internal::Connected_cut connected = internal::connect_indexed_points<ConcurrencyTag>(
+      mesh, constraints, internal::read_vertices(tmesh, adapter, points), parameters,
       [&control] { return control.go_further(); });
     status.finding = control.is_stopped() ? internal::stopped_status().finding : connected.status.finding;
     if(connected.has_cut())

@@ -124,7 +124,7 @@ Handles_result<TriangleMesh> cut_handles(const TriangleMesh& tmesh, EdgeIsCutMap
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
   Handles_result<TriangleMesh> result;
-  internal::Flat_status status = adapter.status();
+  internal::Indexed_status status = adapter.status();
   internal::Edge_constraints constraints;
   internal::Handle_loops handles;
   if(status)

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/run.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/run_pipeline.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -64,7 +64,7 @@ Cut_result<TriangleMesh> detect_feature_points(const TriangleMesh& tmesh, Vertex
                                                const NamedParameters& np = parameters::default_values())
 {
   const Cut_result<TriangleMesh> result
-    = internal::run<ConcurrencyTag>(tmesh, internal::Goal::FEATURES, internal::Ignore_result(), np);
+    = internal::run_pipeline<ConcurrencyTag>(tmesh, internal::Output_kind::FEATURES, internal::Ignore_result(), np);
   if(result)
     for(auto v : result.feature_points)
       *out++ = v;

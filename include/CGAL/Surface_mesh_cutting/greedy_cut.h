@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/run.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/run_pipeline.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -55,7 +55,7 @@ namespace Surface_mesh_cutting {
 ///
 /// \return what was found. Its `status` is one of
 /// - `Status_code::OK`;
-/// - `Status_code::BOUND_NOT_REACHED` if no cut was found that keeps `maximum_distortion`, or, with
+/// - `Status_code::BOUND_NOT_REACHED` if no cut was found that keeps `maximum_average_distortion`, or, with
 ///   `Connection::EXACT`, if the budget does not suffice for a proof;
 /// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
 ///   `Status_code::INVALID_POINT` for an unsupported mesh;
@@ -71,7 +71,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Cut_result<TriangleMesh> greedy_cut(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
                                     const NamedParameters& np = parameters::default_values())
 {
-  return internal::run<ConcurrencyTag>(tmesh, internal::Goal::CUT,
+  return internal::run_pipeline<ConcurrencyTag>(tmesh, internal::Output_kind::CUT,
                                        [&](const auto& adapter, const internal::Mesh_result& result)
                                        { adapter.write_cut(result.cut, edge_is_cut_map); }, np);
 }

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/run.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/run_pipeline.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -55,7 +55,7 @@ namespace Surface_mesh_cutting {
 ///                           they of the same chart or of different ones}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{The cut stays the same unless `maximum_distortion` requires a longer one. Flattening takes about
+///     \cgalParamExtra{The cut stays the same unless `maximum_average_distortion` requires a longer one. Flattening takes about
 ///                     three times as long where charts would overlap otherwise.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -77,7 +77,7 @@ Unwrap_result<TriangleMesh> unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge_
                                    const NamedParameters& np = parameters::default_values())
 {
   using UV = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  return internal::run<ConcurrencyTag, UV>(tmesh, internal::Goal::MAP,
+  return internal::run_pipeline<ConcurrencyTag, UV>(tmesh, internal::Output_kind::MAP,
                                            [&](const auto& adapter, const internal::Mesh_result& result)
                                            {
                                              adapter.write_cut(result.cut, edge_is_cut_map);

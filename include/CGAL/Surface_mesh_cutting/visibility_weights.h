@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
@@ -26,7 +26,7 @@
 #include <CGAL/tags.h>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/visibilities.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/visibilities.h>
 #endif
 
 namespace CGAL {
@@ -110,7 +110,7 @@ Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap
   internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});
   return internal::put_weights(
     tmesh, edge_weight_map, smallest_factor, np,
-    [&](const internal::Flat_mesh& mesh)
+    [&](const internal::Indexed_mesh& mesh)
     { return internal::visibilities<ConcurrencyTag>(mesh, number_of_rays, seed, control); });
 }
 

@@ -29,13 +29,13 @@ namespace internal {
 
 struct Bijective_method
 {
-  static Newton_result map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+  static Newton_result map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                            const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                            std::vector<Eigen::Vector2d>& uv)
   {
     return bijective_map(chart, points, shapes, linear_solvers, uv, Newton_options());
   }
-  static bool is_valid(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+  static bool is_valid(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
   {
     return is_bijective(chart, uv);
   }

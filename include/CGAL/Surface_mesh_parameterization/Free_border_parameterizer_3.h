@@ -38,7 +38,7 @@ namespace internal {
 // What methods have in common that promise a map without flips, but not without overlaps.
 struct Flip_free_method
 {
-  static bool is_valid(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+  static bool is_valid(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
   {
     return count_flips(chart.triangles(), uv) == 0;
   }

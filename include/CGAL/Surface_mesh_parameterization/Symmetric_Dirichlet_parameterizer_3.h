@@ -29,7 +29,7 @@ namespace internal {
 
 struct Isometric_method : Flip_free_method
 {
-  static Newton_result map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+  static Newton_result map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                            const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                            std::vector<Eigen::Vector2d>& uv)
   {

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
 #include <CGAL/boost/graph/helpers.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
@@ -50,7 +50,7 @@ class Chart_parameterizer
 {
 public:
   // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat.
-  Chart_parameterizer(const Chart& chart, std::vector<Eigen::Vector3d> points,
+  Chart_parameterizer(const Corner_table& chart, std::vector<Eigen::Vector3d> points,
                       const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers)
     : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
       m_linear_solvers(linear_solvers), m_solver(chart.triangles(), chart.number_of_vertices(), linear_solvers)
@@ -112,7 +112,7 @@ private:
            (outcome == Stages_outcome::FAILED && first_map != First_map::TUTTE && map_by_tutte());
   }
 
-  const Chart& m_chart;
+  const Corner_table& m_chart;
   std::vector<Eigen::Vector3d> m_points;
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
@@ -43,7 +43,7 @@ class Spectral_conformal_map
   using Matrix = Hermitian_solver::Matrix;
 
 public:
-  Spectral_conformal_map(const Chart& chart, const std::vector<Rest_shape>& shapes)
+  Spectral_conformal_map(const Corner_table& chart, const std::vector<Rest_shape>& shapes)
     : m_energy(chart.number_of_vertices(), chart.number_of_vertices()),
       m_masses(Eigen::VectorXd::Zero(chart.number_of_vertices())),
       m_map(Eigen::VectorXcd::Zero(chart.number_of_vertices()))
@@ -110,7 +110,7 @@ private:
 
   // The mass of a border vertex is its share of the border; the iteration starts from a map of the
   // longest border to a circle.
-  void assemble_border(const Chart& chart, const std::vector<Rest_shape>& shapes)
+  void assemble_border(const Corner_table& chart, const std::vector<Rest_shape>& shapes)
   {
     double longest = 0;
     for(const std::vector<int>& loop : chart.border_loops())
@@ -152,7 +152,7 @@ private:
 // The spectral conformal map of a chart, scaled to the area of the surface. `number_of_flips`
 // receives how many triangles are flipped: usually none or a few, which `remove_flips()` puts
 // right, but several per cent where the map folds. False if there is no map of positive area.
-inline bool spectral_conformal_map(const Chart& chart, const std::vector<Rest_shape>& shapes,
+inline bool spectral_conformal_map(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
                                    const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
                                    int* number_of_flips = nullptr)
 {

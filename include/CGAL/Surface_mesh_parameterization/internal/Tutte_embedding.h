@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ namespace internal {
 
 // Places the vertices of a closed border loop on the unit circle, spaced as on the surface.
 // `lengths` holds the length of each border edge.
-inline void map_border_to_circle(const Chart& chart, const std::vector<int>& loop,
+inline void map_border_to_circle(const Corner_table& chart, const std::vector<int>& loop,
                                  const std::vector<double>& lengths, std::vector<Eigen::Vector2d>& uv)
 {
   double total = 0;
@@ -53,7 +53,7 @@ inline void map_border_to_circle(const Chart& chart, const std::vector<int>& loo
 // neighbors, the border as given in `uv`. In exact arithmetic the map is free of flips for a convex
 // border; rounding can spoil it, so the caller checks. All other border loops are closed by a
 // virtual vertex each. False if the system cannot be solved. Cost: one sparse factorization.
-inline bool tutte_embedding(const Chart& chart, const std::vector<std::vector<int> >& loops,
+inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::vector<int> >& loops,
                             std::size_t outer_loop, const Linear_solver_source& linear_solvers,
                             std::vector<Eigen::Vector2d>& uv)
 {

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
@@ -33,7 +33,7 @@ namespace internal {
 // area. `points` holds the position of each chart vertex on the surface. False if rounding left a
 // triangle that is not positive, or so small against the whole that its coordinates have lost their
 // digits, or if the chart has no border of at least three edges.
-inline bool tutte_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points, double area,
+inline bool tutte_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, double area,
                       const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv)
 {
   const std::vector<std::vector<int> > loops = chart.border_loops();

@@ -270,7 +270,7 @@ Steiner_tree::Result steiner_tree(const Graph& graph,
 
   Steiner_tree::Result result;
   std::vector<edge_descriptor> edge_of;
-  std::vector<Core::Edge> flat_edges;
+  std::vector<Core::Edge> indexed_edges;
   for(edge_descriptor e : CGAL::make_range(edges(graph))) {
     const double w = CGAL::to_double(get(weight, e));
     if(!(w >= 0. && std::isfinite(w))) {
@@ -278,19 +278,19 @@ Steiner_tree::Result steiner_tree(const Graph& graph,
       return result;
     }
     edge_of.push_back(e);
-    flat_edges.push_back(Core::Edge{number_of(source(e, graph)), number_of(target(e, graph)), w});
+    indexed_edges.push_back(Core::Edge{number_of(source(e, graph)), number_of(target(e, graph)), w});
   }
-  const Core::Csr_graph flat_graph(number_of_vertices, std::move(flat_edges));
+  const Core::Csr_graph indexed_graph(number_of_vertices, std::move(indexed_edges));
 
-  std::vector<int> flat_terminals;
+  std::vector<int> indexed_terminals;
   std::vector<char> is_terminal(number_of_vertices, 0);
   for(vertex_descriptor v : terminals)
     if(!is_terminal[number_of(v)]) {
       is_terminal[number_of(v)] = 1;
-      flat_terminals.push_back(number_of(v));
+      indexed_terminals.push_back(number_of(v));
     }
 
-  const Core::Solution solution = Core::solve<ConcurrencyTag>(flat_graph, flat_terminals, options,
+  const Core::Solution solution = Core::solve<ConcurrencyTag>(indexed_graph, indexed_terminals, options,
                                                               [&] { return bool(visitor.go_further()); });
   switch(solution.outcome) {
   case Core::Outcome::done:
@@ -309,7 +309,7 @@ Steiner_tree::Result steiner_tree(const Graph& graph,
   result.length = solution.tree.length;
   result.lower_bound = solution.lower_bound;
   result.is_optimal = solution.is_optimal;
-  result.number_of_auxiliary_points = Core::branch_vertices(flat_graph, flat_terminals, solution.tree).size();
+  result.number_of_auxiliary_points = Core::branch_vertices(indexed_graph, indexed_terminals, solution.tree).size();
   for(int e : solution.tree.edges)
     *tree_edges++ = edge_of[e];
   return result;

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -24,7 +24,7 @@ namespace internal {
 // A cut that leaves only disks: the mandatory edges and a tree in each part that those leave.
 struct Connected_cut
 {
-  Flat_status status;
+  Indexed_status status;
   Cut cut;
   double weight = 0;      // of the edges that were added
   double lower_bound = 0; // proven, for the weight

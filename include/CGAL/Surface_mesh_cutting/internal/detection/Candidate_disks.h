@@ -29,7 +29,7 @@ namespace internal {
 class Candidate_disks
 {
 public:
-  explicit Candidate_disks(const Flat_mesh& mesh)
+  explicit Candidate_disks(const Indexed_mesh& mesh)
     : m_mesh(mesh), m_paths(mesh.graph()), m_counts(mesh.number_of_faces(), 0),
       m_disks(mesh.number_of_vertices())
   {}
@@ -108,7 +108,7 @@ private:
     return faces;
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   Shortest_paths m_paths;
   std::vector<int> m_counts;               // per face
   std::vector<std::vector<int> > m_disks;  // per candidate vertex

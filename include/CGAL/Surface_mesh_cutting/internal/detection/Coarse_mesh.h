@@ -27,19 +27,19 @@ namespace internal {
 // A coarser version of a surface, of the same topology, whose vertices are some of its vertices.
 struct Coarse_mesh
 {
-  Flat_mesh mesh;
+  Indexed_mesh mesh;
   std::vector<int> vertices; // of the fine mesh
 
   // Has about `number_of_vertices` vertices, or as many as are needed to keep the topology.
   // O(n log n).
-  Coarse_mesh(const Flat_mesh& fine, int number_of_vertices)
+  Coarse_mesh(const Indexed_mesh& fine, int number_of_vertices)
   {
     using Surface_mesh_parameterization::internal::Chart_hierarchy;
-    const Chart chart(fine.triangles(), fine.opposites(), fine.number_of_vertices());
+    const Corner_table chart(fine.triangles(), fine.opposites(), fine.number_of_vertices());
     Chart_hierarchy hierarchy(chart, fine.points());
     hierarchy.coarsen(number_of_vertices);
     Chart_hierarchy::Stage stage = hierarchy.stage();
-    mesh = Flat_mesh(std::move(stage.points), stage.chart.triangles(), stage.chart.opposites());
+    mesh = Indexed_mesh(std::move(stage.points), stage.chart.triangles(), stage.chart.opposites());
     vertices = std::move(stage.vertices);
   }
 };

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Greedy_filter.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Problem.h>
-#include <CGAL/Surface_mesh_cutting/internal/connection/connect_in_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 
 #include <algorithm>
 #include <limits>
@@ -31,7 +31,7 @@ namespace internal {
 
 struct Detected_features
 {
-  Flat_status status;
+  Indexed_status status;
   int number_of_candidates = 0;
   std::vector<int> features; // sorted, with the terminals
   Open_chart chart;          // opened along the paths that led to them; empty if found on a coarser version
@@ -66,7 +66,7 @@ public:
     std::vector<Candidate> candidates = find(start, opening, result);
     if(result.status)
       filter(start, opening, std::move(candidates), result);
-    result.is_hopeless = !result.trade_offs.empty() && result.trade_offs.back().E_iso > hopeless_energy;
+    result.is_hopeless = !result.trade_offs.empty() && result.trade_offs.back().average_distortion > hopeless_energy;
     result.repair_threshold = repair_threshold(result.trade_offs);
     return result;
   }
@@ -80,8 +80,8 @@ private:
   double repair_threshold(const std::vector<Trade_off>& cuts) const
   {
     if(!cuts.empty() && m_problem.initial.is_given())
-      return cuts.front().E_iso + m_parameters.minimum_distortion_decrease;
-    return cuts.empty() || m_parameters.is_faithful ? std::numeric_limits<double>::infinity() : 2 * cuts.back().E_iso;
+      return cuts.front().average_distortion + m_parameters.minimum_distortion_decrease;
+    return cuts.empty() || m_parameters.use_published_method ? std::numeric_limits<double>::infinity() : 2 * cuts.back().average_distortion;
   }
 
   std::vector<Candidate> find(int start, Cut& opening, Detected_features& result)
@@ -94,7 +94,7 @@ private:
       Connected_cut connection
         = m_problem.initial.is_given()
         ? m_problem.initial.connected<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, go_further)
-        : connect_in_chart<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_parameters.connection, go_further);
+        : connect_terminals<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_parameters.connection, go_further);
       result.status = connection.status;
       if(!result.status)
         return {};
@@ -168,7 +168,7 @@ private:
   }
 
   const Problem& m_problem;
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Cutting_parameters& m_parameters;
   const Context m_context;
   Run_control& m_control;

@@ -68,7 +68,7 @@ public:
   }
 
   const std::vector<int>& features() const { return m_features; }
-  const Running_map& map() const { return m_maps.map(); }
+  const Incremental_parameterization& map() const { return m_maps.map(); }
   // The cuts that were accepted, each containing the one before.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
@@ -80,7 +80,7 @@ private:
       return false;
     m_trade_offs.push_back({cut_length(m_mesh, cut), map().energy()});
     judge_queue(std::deque<int>(queue.begin(), queue.end()));
-    if(!m_parameters.is_faithful)
+    if(!m_parameters.use_published_method)
       judge_most_distorted();
     std::sort(m_features.begin(), m_features.end());
     return !m_control.is_stopped();
@@ -150,7 +150,7 @@ private:
     // A candidate on the cut gains nothing, for which the paper rejects it. Beyond the paper it stays, so that
     // what it has gained is not lost when the features are connected in another way.
     const std::size_t accepted
-      = path.empty() ? std::size_t(m_parameters.is_faithful) : m_maps.open_first_useful([&](std::size_t i) -> const Proposal*
+      = path.empty() ? std::size_t(m_parameters.use_published_method) : m_maps.open_first_useful([&](std::size_t i) -> const Proposal*
         {
           return i < proposals.size() || look_ahead(queue, proposals) ? &proposals[i] : nullptr;
         });
@@ -306,7 +306,7 @@ private:
                 });
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;

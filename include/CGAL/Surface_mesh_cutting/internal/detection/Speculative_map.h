@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/threads.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class Speculative_map
   static constexpr int none = (std::numeric_limits<int>::max)();
 
 public:
-  Speculative_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
+  Speculative_map(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
                   Run_control& control)
     : m_control(control), m_trials(number_of_copies(), none)
   {
@@ -52,7 +52,7 @@ public:
     return m_copies[m_current].initialize(cut);
   }
 
-  const Running_map& map() const { return m_copies[m_current]; }
+  const Incremental_parameterization& map() const { return m_copies[m_current]; }
 
   // Opens the first useful slit. `proposal(i)` points to the i-th one, its `path` and the `least_gain` that
   // makes it useful, or is null if the next proposal depends on pending ones; it is called in order, by one
@@ -123,7 +123,7 @@ private:
   }
 
   Run_control& m_control;
-  std::deque<Running_map> m_copies;
+  std::deque<Incremental_parameterization> m_copies;
   std::size_t m_current = 0; // the copy that is the map
   bool m_are_equal = false;
   std::vector<int> m_trials; // of each copy, the one in work or the latest

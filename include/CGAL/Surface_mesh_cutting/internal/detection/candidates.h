@@ -20,7 +20,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/remove_flips.h>
 
 #include <algorithm>
@@ -44,10 +44,10 @@ using Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy;
 struct Candidate
 {
   int vertex;
-  double scope;
+  double influence_radius;
 };
 
-inline std::vector<Point> chart_points(const Flat_mesh& mesh, const Chart& chart)
+inline std::vector<Point> chart_points(const Indexed_mesh& mesh, const Corner_table& chart)
 {
   std::vector<Point> points;
   points.reserve(chart.number_of_vertices());
@@ -57,7 +57,7 @@ inline std::vector<Point> chart_points(const Flat_mesh& mesh, const Chart& chart
 }
 
 // An as-conformal-as-possible map without flips. False if none was found or the run was stopped.
-inline bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Chart& chart,
+inline bool conformal_map(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Corner_table& chart,
                           const Cutting_parameters& parameters, Run_control& control,
                           std::vector<Eigen::Vector2d>& uv)
 {
@@ -71,21 +71,21 @@ inline bool conformal_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& 
     return control.go_further();
   Chart_parameterizer parameterizer(chart, points, shapes, linear_solvers);
   Newton_options options;
-  if(!parameters.is_faithful)
+  if(!parameters.use_published_method)
     options.decrement = 1e-4; // where the map is distorted shows long before
   options.stop = [&](const auto&) { return !control.go_further(); };
-  const First_map first_map = parameters.is_faithful ? First_map::TUTTE : First_map::HIERARCHY;
+  const First_map first_map = parameters.use_published_method ? First_map::TUTTE : First_map::HIERARCHY;
   return parameterizer.conformal_map(uv, options, first_map).outcome != Newton_outcome::FAILED && !control.is_stopped();
 }
 
 // The isometric distortion of an as-conformal-as-possible map of the surface opened along `cut`, per
 // vertex (paper, Equation (3)). Empty if no flip-free map was found or the run was stopped.
-inline std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+inline std::vector<double> proxy_distortion(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes,
                                             const Cut& cut, const Cutting_parameters& parameters,
                                             Run_control& control)
 {
   using namespace Surface_mesh_parameterization::internal;
-  const Chart chart = make_chart(mesh, cut);
+  const Corner_table chart = make_chart(mesh, cut);
   std::vector<Eigen::Vector2d> uv;
   if(!conformal_map(mesh, shapes, chart, parameters, control, uv))
     return {};
@@ -95,7 +95,7 @@ inline std::vector<double> proxy_distortion(const Flat_mesh& mesh, const std::ve
 }
 
 // The vertices with no larger value next to them, one (the lowest) for each plateau. O(n).
-inline std::vector<int> local_maximizers(const Flat_mesh& mesh, const std::vector<double>& values)
+inline std::vector<int> local_maximizers(const Indexed_mesh& mesh, const std::vector<double>& values)
 {
   std::vector<int> maximizers, plateau;
   std::vector<char> is_visited(values.size(), 0);
@@ -125,31 +125,31 @@ inline std::vector<int> local_maximizers(const Flat_mesh& mesh, const std::vecto
 
 // The distance to the closest vertex with a larger value, infinite for the maximum. The search ends
 // as soon as it meets one.
-inline std::vector<Candidate> scopes_of_influence(const Flat_mesh& mesh, const std::vector<double>& values,
+inline std::vector<Candidate> scopes_of_influence(const Indexed_mesh& mesh, const std::vector<double>& values,
                                                   const std::vector<int>& maximizers)
 {
   Shortest_paths paths(mesh.graph());
   std::vector<Candidate> candidates;
   for(int v : maximizers)
   {
-    double scope = std::numeric_limits<double>::infinity();
+    double influence_radius = std::numeric_limits<double>::infinity();
     paths.clear();
     paths.add_source(v);
     paths.run([&](int w)
               {
                 if(!(values[w] > values[v]))
                   return true;
-                scope = paths.distance(w);
+                influence_radius = paths.distance(w);
                 return false;
               });
-    candidates.push_back({v, scope});
+    candidates.push_back({v, influence_radius});
   }
   return candidates;
 }
 
 // The faces farther from `centers` than `radius`, their largest connected part by area. The return
 // value is that area; all faces if none is near.
-inline double largest_remote_part(const Flat_mesh& mesh, const Shortest_paths& from_centers, double radius,
+inline double largest_remote_part(const Indexed_mesh& mesh, const Shortest_paths& from_centers, double radius,
                                   std::vector<char>& is_in_part)
 {
   const auto is_near = [&](int f)
@@ -193,7 +193,7 @@ inline double largest_remote_part(const Flat_mesh& mesh, const Shortest_paths& f
 }
 
 // A vertex of one of the marked faces, any of them depending on `random_number`.
-inline int start_in_part(const Flat_mesh& mesh, const std::vector<char>& is_in_part, int random_number)
+inline int start_in_part(const Indexed_mesh& mesh, const std::vector<char>& is_in_part, int random_number)
 {
   const auto number_of_faces = std::count(is_in_part.begin(), is_in_part.end(), char(1));
   auto face = std::find(is_in_part.begin(), is_in_part.end(), char(1));
@@ -206,12 +206,12 @@ inline int start_in_part(const Flat_mesh& mesh, const std::vector<char>& is_in_p
 // forbidden region shrinks until the largest part outside holds `minimum_area_ratio` of the area
 // and, unless the paper is followed, a path of useful length; at radius 0 the part is the whole surface.
 // `start` serves as a random number. Empty if the run was stopped.
-inline std::vector<int> second_cut(const Flat_mesh& mesh, int start, const std::vector<int>& first_cut,
+inline std::vector<int> second_cut(const Indexed_mesh& mesh, int start, const std::vector<int>& first_cut,
                                    const std::vector<int>& first_maximizers, const Cutting_parameters& parameters,
                                    Run_control& control)
 {
   constexpr double shrinking = 0.9;
-  const double useful_length = parameters.is_faithful ? 0 : 0.1 * total_length(mesh, first_cut);
+  const double useful_length = parameters.use_published_method ? 0 : 0.1 * total_length(mesh, first_cut);
   Shortest_paths from_centers(mesh.graph());
   double area = 0;
   for(int e : first_cut)
@@ -235,7 +235,7 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, int start, const std::
     if(radius == 0 || remote_area >= parameters.minimum_area_ratio * area)
     {
       const std::vector<int> path
-        = path_to_farthest_vertex(mesh, start_in_part(mesh, is_in_part, parameters.is_faithful ? start : 0),
+        = path_to_farthest_vertex(mesh, start_in_part(mesh, is_in_part, parameters.use_published_method ? start : 0),
                                   parameters.number_of_sweeps(), edges_of_faces(mesh, is_in_part));
       if(radius == 0 || total_length(mesh, path) >= useful_length)
         return path;
@@ -247,7 +247,7 @@ inline std::vector<int> second_cut(const Flat_mesh& mesh, int start, const std::
 
 // The candidates of a surface that is a disk already, or is opened to one along `cut` in any case.
 // What lies on its border is not a candidate.
-inline std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+inline std::vector<Candidate> find_candidates_of_disk(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes,
                                                       const Cut& cut, const Cutting_parameters& parameters,
                                                       Run_control& control)
 {
@@ -264,7 +264,7 @@ inline std::vector<Candidate> find_candidates_of_disk(const Flat_mesh& mesh, con
 
 // The redundant set of candidates by the dual cutting strategy (paper, Section 3.1.1). Empty if a
 // map failed or the run was stopped.
-inline std::vector<Candidate> find_candidates(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes,
+inline std::vector<Candidate> find_candidates(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes,
                                               int start, const Cutting_parameters& parameters, Run_control& control)
 {
   const std::vector<int> first = path_to_farthest_vertex(mesh, start, parameters.number_of_sweeps());

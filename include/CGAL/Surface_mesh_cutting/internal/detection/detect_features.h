@@ -28,10 +28,10 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // Makes loops mandatory that cut the handles (paper, Section 3.3), along a given cut where that is possible.
-inline Flat_status cut_handles_of(Problem& problem, const Context& context)
+inline Indexed_status cut_handles_of(Problem& problem, const Context& context)
 {
   if(problem.is_sphere)
-    return Flat_status();
+    return Indexed_status();
   const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
   Handle_loops handles = cut_handles(problem.mesh,
                                      problem.initial.is_given() ? problem.initial.guide(problem.constraints)
@@ -76,7 +76,7 @@ void refine_features(const Problem& problem, const Context& context, Detected_fe
   if(refiner.connect(detected.features, !detected.is_hopeless) && refiner.map())
   {
     constexpr bool keeps_tree = true; // only the features are handed on
-    refine(refiner, {parameters.maximum_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
+    refine(refiner, {parameters.maximum_average_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
                      keeps_tree}, parameters);
     detected.features = refiner.features();
   }

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
@@ -29,7 +29,7 @@ namespace internal {
 
 using CGAL::internal::Graph_kernel::Shortest_paths;
 
-inline double average_edge_length(const Flat_mesh& mesh)
+inline double average_edge_length(const Indexed_mesh& mesh)
 {
   double sum = 0;
   for(double l : mesh.lengths())
@@ -38,7 +38,7 @@ inline double average_edge_length(const Flat_mesh& mesh)
 }
 
 // Of the surface: isolated vertices do not count.
-inline double bounding_box_diagonal(const Flat_mesh& mesh)
+inline double bounding_box_diagonal(const Indexed_mesh& mesh)
 {
   Point low = mesh.point(mesh.source(0)), high = low;
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
@@ -51,7 +51,7 @@ inline double bounding_box_diagonal(const Flat_mesh& mesh)
 }
 
 // The edges of the graph on which all paths of a region run: those of its triangles.
-inline std::vector<char> edges_of_faces(const Flat_mesh& mesh, const std::vector<char>& is_in_region)
+inline std::vector<char> edges_of_faces(const Indexed_mesh& mesh, const std::vector<char>& is_in_region)
 {
   std::vector<char> is_allowed(mesh.number_of_edges(), 0);
   for(int h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -62,7 +62,7 @@ inline std::vector<char> edges_of_faces(const Flat_mesh& mesh, const std::vector
 
 // Searches from `v` over the allowed edges (empty: all); returns the farthest vertex, the lowest
 // among equals.
-inline int farthest_vertex(const Flat_mesh& mesh, Shortest_paths& paths, int v,
+inline int farthest_vertex(const Indexed_mesh& mesh, Shortest_paths& paths, int v,
                            const std::vector<char>& is_allowed)
 {
   int farthest = v;
@@ -83,7 +83,7 @@ inline int farthest_vertex(const Flat_mesh& mesh, Shortest_paths& paths, int v,
 
 // A cut of one edge leaves a border of two edges, on which no flip-free map exists: such a cut is
 // extended by the allowed edge (empty: any) that leads farthest.
-inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges, const std::vector<char>& is_allowed)
+inline void extend_single_edge(const Indexed_mesh& mesh, std::vector<int>& edges, const std::vector<char>& is_allowed)
 {
   if(edges.size() != 1)
     return;
@@ -108,7 +108,7 @@ inline void extend_single_edge(const Flat_mesh& mesh, std::vector<int>& edges, c
 // The edges of the shortest path from `start` to the vertex farthest from it (paper, Section 3.1.1). With
 // two sweeps, the path starts from there instead, which brings both ends to extremities of the surface.
 // All within the allowed edges (empty: all).
-inline std::vector<int> path_to_farthest_vertex(const Flat_mesh& mesh, int start, int number_of_sweeps,
+inline std::vector<int> path_to_farthest_vertex(const Indexed_mesh& mesh, int start, int number_of_sweeps,
                                                 const std::vector<char>& is_allowed = {})
 {
   Shortest_paths paths(mesh.graph());
@@ -121,7 +121,7 @@ inline std::vector<int> path_to_farthest_vertex(const Flat_mesh& mesh, int start
   return edges;
 }
 
-inline Cut make_cut(const Flat_mesh& mesh, const std::vector<int>& edges)
+inline Cut make_cut(const Indexed_mesh& mesh, const std::vector<int>& edges)
 {
   Cut cut(mesh.number_of_edges(), 0);
   for(int e : edges)

@@ -34,7 +34,7 @@ struct Region_graph
   Csr_graph graph;
   std::vector<int> edges; // of the mesh
 
-  Region_graph(const Flat_mesh& mesh, const Edge_constraints& constraints,
+  Region_graph(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                const std::vector<char>& is_in_region)
   {
     const std::vector<char> is_in_graph = edges_of_faces(mesh, is_in_region);
@@ -86,7 +86,7 @@ struct Region_graph
 inline void sort_by_scope(std::vector<Candidate>& candidates)
 {
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
-            { return a.scope != b.scope ? a.scope > b.scope : a.vertex < b.vertex; });
+            { return a.influence_radius != b.influence_radius ? a.influence_radius > b.influence_radius : a.vertex < b.vertex; });
 }
 
 // The start of the filtering: which candidates are features from the outset, which are to be judged,
@@ -99,7 +99,7 @@ struct Initial_features
 };
 
 // The connected part of the faces outside all disks that touches most of `vertices`; returns those.
-inline std::vector<int> richest_part(const Flat_mesh& mesh, const Candidate_disks& disks,
+inline std::vector<int> richest_part(const Indexed_mesh& mesh, const Candidate_disks& disks,
                                      const std::vector<int>& vertices, std::vector<char>& is_in_part)
 {
   std::vector<int> part(mesh.number_of_faces(), -1), stack;
@@ -153,7 +153,7 @@ inline std::vector<int> richest_part(const Flat_mesh& mesh, const Candidate_disk
 // Modified cut initialization (paper, Section 3.1.2): candidates with a large scope of influence are
 // features; disks keep the cut through them away from the others. `disks` is left set. Needs at
 // least two candidates, which edges that are not forbidden connect; the cut is empty otherwise.
-inline Initial_features initialize_features(const Flat_mesh& mesh, const Edge_constraints& constraints,
+inline Initial_features initialize_features(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                             std::vector<Candidate> candidates,
                                             const Cutting_parameters& parameters, Candidate_disks& disks)
 {
@@ -164,7 +164,7 @@ inline Initial_features initialize_features(const Flat_mesh& mesh, const Edge_co
   {
     std::vector<int> large, small;
     for(const Candidate& c : candidates)
-      (c.scope > threshold ? large : small).push_back(c.vertex);
+      (c.influence_radius > threshold ? large : small).push_back(c.vertex);
     disks.set(small, parameters.candidate_radius * average);
     std::vector<char> is_in_part;
     Initial_features initial;

@@ -18,8 +18,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Shortest_loop.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Tree_cotree.h>
 
@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// A halfedge of a flat mesh, passed along its direction or against it.
+// A halfedge of a indexed mesh, passed along its direction or against it.
 struct Directed_edge
 {
   int halfedge;
@@ -46,7 +46,7 @@ struct Directed_edge
 // mandatory. A loop may run along edges that are open already, in particular along the border.
 struct Handle_loops
 {
-  Flat_status status;
+  Indexed_status status;
   std::vector<std::vector<Directed_edge> > loops;
   Cut cut;
 };
@@ -56,7 +56,7 @@ struct Handle_loops
 class Loop_closing
 {
 public:
-  Loop_closing(const Flat_mesh& mesh, const Chart& chart, const Contracted_surface& surface)
+  Loop_closing(const Indexed_mesh& mesh, const Corner_table& chart, const Contracted_surface& surface)
     : m_mesh(mesh), m_chart(chart), m_surface(surface)
   {}
 
@@ -113,8 +113,8 @@ private:
     return sum;
   }
 
-  const Flat_mesh& m_mesh;
-  const Chart& m_chart;
+  const Indexed_mesh& m_mesh;
+  const Corner_table& m_chart;
   const Contracted_surface& m_surface;
 };
 
@@ -123,13 +123,13 @@ private:
 // leave. Several loops may meet and overlap, as they must on coarse meshes with many handles.
 // O(g (n log n + g n) + s), where s is the total size of the balls searched. Before each loop,
 // `go_further`, if given, says whether to.
-inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& constraints,
+inline Handle_loops cut_handles(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                 const std::function<bool()>& go_further = {}, double tolerance = 0.05)
 {
   Handle_loops result{check_handles_can_be_cut(mesh, constraints), {}, constraints.mandatory};
   if(!result.status)
     return result;
-  Chart chart = make_chart(mesh, result.cut);
+  Corner_table chart = make_chart(mesh, result.cut);
   CGAL_postcondition_code(const int number_of_parts = Connected_parts(chart.opposites()).number;)
   for(;;)
   {
@@ -161,11 +161,11 @@ inline Handle_loops cut_handles(const Flat_mesh& mesh, const Edge_constraints& c
 }
 
 // The same for each component of a mesh, which may have isolated vertices.
-inline Handle_loops cut_handles_of_components(const Flat_mesh& whole, const Edge_constraints& constraints,
+inline Handle_loops cut_handles_of_components(const Indexed_mesh& whole, const Edge_constraints& constraints,
                                               const std::function<bool()>& go_further)
 {
-  Handle_loops result{Flat_status(), {}, constraints.mandatory};
-  for(const Flat_component& component : split_into_components(whole))
+  Handle_loops result{Indexed_status(), {}, constraints.mandatory};
+  for(const Indexed_component& component : split_into_components(whole))
   {
     const Handle_loops handles = cut_handles(component.mesh, restriction(constraints, component), go_further);
     if(!handles.status)

@@ -46,7 +46,7 @@ public:
   using Word = std::uint64_t;
 
   // O(n log n + g n)
-  Tree_cotree(const Chart& chart, const Contracted_surface& surface)
+  Tree_cotree(const Corner_table& chart, const Contracted_surface& surface)
     : m_chart(chart), m_surface(surface)
   {
     const std::vector<int> candidates = grow_tree();
@@ -188,7 +188,7 @@ private:
                             m_cut_graph_nodes.end());
   }
 
-  const Chart& m_chart;
+  const Corner_table& m_chart;
   const Contracted_surface& m_surface;
   std::vector<int> m_cut_graph, m_generators, m_cut_graph_nodes;
   std::size_t m_number_of_words = 0;

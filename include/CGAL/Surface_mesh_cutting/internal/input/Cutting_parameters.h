@@ -41,14 +41,14 @@ struct Cutting_parameters
   double minimum_length_decrease = 0.01;     // epsilon_len, times the bounding box diagonal
   double decrease_per_length = 0.15;         // of the energy, for a slit to be worth its length in
                                              // bounding box diagonals
-  double maximum_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
+  double maximum_average_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
   double minimum_area_ratio = 0.1;           // alpha
   double influence_threshold = 20;           // beta
   double forbidden_radius = 10;              // d_n
   double candidate_radius = 5;               // of the disk around a candidate (Section 3.1.2)
   Conformal_solver conformal_solver = Conformal_solver::SPECTRAL;
   // Whether to do what the paper says and nothing else, see the table in the manual.
-  bool is_faithful = false;
+  bool use_published_method = false;
   // Whether the final map of a component has to be injective, too.
   bool do_bijective = false;
   int number_of_starts = 1;
@@ -57,6 +57,8 @@ struct Cutting_parameters
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
   // How the feature points are connected; its decrease is epsilon_len as a length.
   CGAL::internal::Steiner_tree::Options connection;
+  // Whether it is a failure if the tree through the final points is not proven to be shortest.
+  bool needs_optimal_tree = false;
   // At most, for each of the trees that are tried while a cut is refined. A hundred points can use up any
   // budget; most trees are proven optimal within this one.
   std::size_t number_of_states_while_refining = 500000;
@@ -65,7 +67,7 @@ struct Cutting_parameters
   std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
 
   // Of the search for a long path: the paper starts at a random vertex.
-  int number_of_sweeps() const { return is_faithful ? 1 : 2; }
+  int number_of_sweeps() const { return use_published_method ? 1 : 2; }
 
   CGAL::internal::Steiner_tree::Options connection_while_refining() const
   {

@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <algorithm>
 #include <limits>
@@ -46,13 +46,13 @@ struct Cutting_constraints
   Cut initial;                // what the search starts from; no edge: nothing is known
 };
 
-inline Edge_constraints unconstrained(const Flat_mesh& mesh)
+inline Edge_constraints unconstrained(const Indexed_mesh& mesh)
 {
   return Edge_constraints{mesh.lengths(), Cut(mesh.number_of_edges(), 0)};
 }
 
 // Whether the weights of the edges that may be cut are their lengths.
-inline bool weights_are_lengths(const Flat_mesh& mesh, const Edge_constraints& constraints)
+inline bool weights_are_lengths(const Indexed_mesh& mesh, const Edge_constraints& constraints)
 {
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(!mesh.is_border_edge(e) && !constraints.is_forbidden(e) &&
@@ -62,7 +62,7 @@ inline bool weights_are_lengths(const Flat_mesh& mesh, const Edge_constraints& c
 }
 
 // The edges that may be cut.
-inline Cut allowed_edges(const Flat_mesh& mesh, const Edge_constraints& constraints)
+inline Cut allowed_edges(const Indexed_mesh& mesh, const Edge_constraints& constraints)
 {
   Cut allowed(mesh.number_of_edges());
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -71,7 +71,7 @@ inline Cut allowed_edges(const Flat_mesh& mesh, const Edge_constraints& constrai
 }
 
 // The vertices at edges that may be cut.
-inline std::vector<char> reachable_vertices(const Flat_mesh& mesh, const Edge_constraints& constraints)
+inline std::vector<char> reachable_vertices(const Indexed_mesh& mesh, const Edge_constraints& constraints)
 {
   std::vector<char> is_reachable(mesh.number_of_vertices(), 0);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -80,7 +80,7 @@ inline std::vector<char> reachable_vertices(const Flat_mesh& mesh, const Edge_co
   return is_reachable;
 }
 
-inline Edge_constraints restriction(const Edge_constraints& whole, const Flat_component& component)
+inline Edge_constraints restriction(const Edge_constraints& whole, const Indexed_component& component)
 {
   Edge_constraints constraints;
   for(int e : component.edges)
@@ -89,7 +89,7 @@ inline Edge_constraints restriction(const Edge_constraints& whole, const Flat_co
   return constraints;
 }
 
-inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mesh,
+inline Indexed_status check_no_edge_is_mandatory_and_forbidden(const Indexed_mesh& mesh,
                                                             const Edge_constraints& constraints)
 {
   std::vector<int> conflicts;
@@ -97,8 +97,8 @@ inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mes
     if(constraints.mandatory[e] && constraints.is_forbidden(e))
       conflicts.push_back(e);
   if(conflicts.empty())
-    return Flat_status();
-  return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, "edges that must and must not be cut",
+    return Indexed_status();
+  return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "edges that must and must not be cut",
                      Element_kind::EDGE, std::move(conflicts));
 }
 
@@ -111,29 +111,29 @@ inline Flat_status check_no_edge_is_mandatory_and_forbidden(const Flat_mesh& mes
 // independent ones that do not cross each other iff no two cycles within the parts cross. Disks can
 // be reached iff all parts are disks.
 template <typename IsPossible>
-Flat_status check_forbidden_edges(const Flat_mesh& mesh, const Edge_constraints& constraints,
+Indexed_status check_forbidden_edges(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                   IsPossible is_possible, const std::string& message)
 {
-  const Chart chart = make_chart(mesh, allowed_edges(mesh, constraints));
+  const Corner_table chart = make_chart(mesh, allowed_edges(mesh, constraints));
   const Connected_parts parts(chart.opposites());
   const std::vector<Topology> topology = topologies(chart, parts);
   const auto bad = std::find_if_not(topology.begin(), topology.end(), is_possible);
   if(bad == topology.end())
-    return Flat_status();
+    return Indexed_status();
   std::vector<int> edges;
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(!mesh.is_border_edge(e) && constraints.is_forbidden(e) &&
        parts.part[mesh.halfedge(e) / 3] == bad - topology.begin())
       edges.push_back(e);
-  return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, message, Element_kind::EDGE,
+  return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, message, Element_kind::EDGE,
                      std::move(edges));
 }
 
 // Whether the constraints leave a way to cut all handles.
-inline Flat_status check_handles_can_be_cut(const Flat_mesh& mesh,
+inline Indexed_status check_handles_can_be_cut(const Indexed_mesh& mesh,
                                             const Edge_constraints& constraints)
 {
-  Flat_status status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
+  Indexed_status status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
   if(status)
     status = check_forbidden_edges(mesh, constraints,
                                    [](const Topology& t) { return t.genus() == 0; },
@@ -142,10 +142,10 @@ inline Flat_status check_handles_can_be_cut(const Flat_mesh& mesh,
 }
 
 // Whether the constraints leave a way to cut the surface to disks.
-inline Flat_status check_disks_can_be_reached(const Flat_mesh& mesh,
+inline Indexed_status check_disks_can_be_reached(const Indexed_mesh& mesh,
                                               const Edge_constraints& constraints)
 {
-  Flat_status status = check_handles_can_be_cut(mesh, constraints);
+  Indexed_status status = check_handles_can_be_cut(mesh, constraints);
   if(status)
     status = check_forbidden_edges(mesh, constraints, [](const Topology& t) { return t.is_disk(); },
                                    "edges that must not be cut keep a part from becoming a disk");

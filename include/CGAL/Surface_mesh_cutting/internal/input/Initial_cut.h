@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/connection/connect_in_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 
 #include <algorithm>
 #include <vector>
@@ -49,7 +49,7 @@ public:
   // Connects it, and the terminals, to a cut that leaves one disk: closed loops that would separate
   // the surface stay open at one edge.
   template <typename ConcurrencyTag, typename GoFurther>
-  Connected_cut connected(const Flat_mesh& mesh, const Edge_constraints& constraints, std::vector<int> terminals,
+  Connected_cut connected(const Indexed_mesh& mesh, const Edge_constraints& constraints, std::vector<int> terminals,
                           GoFurther go_further) const
   {
     const std::vector<char> is_reachable = reachable_vertices(mesh, constraints);
@@ -62,7 +62,7 @@ public:
     terminals.erase(std::unique(terminals.begin(), terminals.end()), terminals.end());
     CGAL::internal::Steiner_tree::Options options;
     options.method = CGAL::internal::Steiner_tree::Method::shortest_path_heuristic;
-    return connect_in_chart<ConcurrencyTag>(mesh, guide(constraints), terminals, options, go_further);
+    return connect_terminals<ConcurrencyTag>(mesh, guide(constraints), terminals, options, go_further);
   }
 
 private:
@@ -70,7 +70,7 @@ private:
 };
 
 // The vertices inside the surface at which a cut ends or forks.
-inline std::vector<int> ends_and_forks(const Flat_mesh& mesh, const Cut& cut)
+inline std::vector<int> ends_and_forks(const Indexed_mesh& mesh, const Cut& cut)
 {
   const std::vector<char> is_on_border = open_vertices(mesh, Cut(mesh.number_of_edges(), 0));
   std::vector<int> degree(mesh.number_of_vertices(), 0), vertices;

@@ -15,8 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
@@ -37,19 +37,19 @@
 #include <vector>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/check_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
 #endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The boundary between the caller's mesh and the flat arrays: checks the mesh, copies it, and
+// The boundary between the caller's mesh and the index arrays: checks the mesh, copies it, and
 // carries cuts, UVs and findings to and fro. Vertices and faces are numbered by their positions in
 // `vertices(tmesh)` and `faces(tmesh)`; corner 0 of a face is the source of its `halfedge(f,
 // tmesh)`.
 //
-// The flat mesh is scaled by a power of two, which loses no bit, to an extent of about one:
+// The indexed mesh is scaled by a power of two, which loses no bit, to an extent of about one:
 // products of lengths then neither overflow nor underflow.
 template <typename TriangleMesh, typename VertexPointMap>
 class Mesh_adapter
@@ -62,7 +62,7 @@ public:
   using edge_descriptor = typename Graph_traits::edge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
 
-  // O(n). The flat mesh exists only where `status()` is OK.
+  // O(n). The indexed mesh exists only where `status()` is OK.
   Mesh_adapter(const TriangleMesh& tmesh, VertexPointMap vpm)
     : m_tmesh(tmesh)
   {
@@ -78,7 +78,7 @@ public:
     if(!m_status)
       return;
     normalize(points, triangles);
-    m_mesh = Flat_mesh(std::move(points), std::move(triangles), std::move(opposites));
+    m_mesh = Indexed_mesh(std::move(points), std::move(triangles), std::move(opposites));
     m_status = check_mesh(m_mesh);
     constexpr int extreme = 332; // 1e100
     if(m_status && std::abs(m_exponent) > extreme)
@@ -87,13 +87,13 @@ public:
   }
 
   // Why the mesh is refused, or the warnings about it.
-  const Flat_status& status() const { return m_status; }
-  const Flat_mesh& mesh() const { return m_mesh; }
+  const Indexed_status& status() const { return m_status; }
+  const Indexed_mesh& mesh() const { return m_mesh; }
 
   // The caller's mesh is larger by 2 to this power.
   int exponent() const { return m_exponent; }
 
-  // A length of the flat mesh at the scale of the caller's mesh.
+  // A length of the indexed mesh at the scale of the caller's mesh.
   double to_original_scale(double length) const { return std::ldexp(length, m_exponent); }
 
   vertex_descriptor to_vertex(int v) const { return m_vertices[v]; }
@@ -119,7 +119,7 @@ public:
       put(edge_is_cut_map, to_edge(e), bool(cut[e]));
   }
 
-  // The UV of each corner, in the order of the flat halfedges that start there. The map holds the
+  // The UV of each corner, in the order of the indexed halfedges that start there. The map holds the
   // UV of a corner at the halfedge of its face that leads to it.
   template <typename HalfedgeUVMap>
   std::vector<Eigen::Vector2d> read_uvs(HalfedgeUVMap halfedge_uv_map) const
@@ -133,7 +133,7 @@ public:
     return uvs;
   }
 
-  // What a map with this value type makes of a UV at the scale of the flat mesh: it may hold fewer digits, and
+  // What a map with this value type makes of a UV at the scale of the indexed mesh: it may hold fewer digits, and
   // what overflows or underflows at the scale of the caller's mesh does so here.
   template <typename Point_2>
   Eigen::Vector2d rounded_uv(const Eigen::Vector2d& uv) const
@@ -143,9 +143,9 @@ public:
       Eigen::Vector2d(CGAL::to_double(p.x()), CGAL::to_double(p.y())), -m_exponent);
   }
 
-  // The inverse of `read_uvs()`, for UVs of the vertices of `chart` at the scale of the flat mesh.
+  // The inverse of `read_uvs()`, for UVs of the vertices of `chart` at the scale of the indexed mesh.
   template <typename HalfedgeUVMap>
-  void write_uvs(const Chart& chart, const std::vector<Eigen::Vector2d>& uv,
+  void write_uvs(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
                  HalfedgeUVMap halfedge_uv_map) const
   {
     using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
@@ -154,7 +154,7 @@ public:
   }
 
   // Replaces indices by descriptors and appends the first of them to the messages.
-  Status<TriangleMesh> translate(const Flat_status& flat) const
+  Status<TriangleMesh> translate(const Indexed_status& flat) const
   {
     Status<TriangleMesh> status;
     static_cast<Surface_mesh_cutting::Finding<TriangleMesh>&>(status) = translate(flat.finding);
@@ -188,7 +188,7 @@ private:
     return finding;
   }
 
-  Flat_status read_points(VertexPointMap vpm, std::vector<Point>& points)
+  Indexed_status read_points(VertexPointMap vpm, std::vector<Point>& points)
   {
     points.reserve(num_vertices(m_tmesh));
     m_vertices.reserve(num_vertices(m_tmesh));
@@ -202,13 +202,13 @@ private:
       m_vertices.push_back(v);
     }
     if(!invalid.empty())
-      return Flat_status(Status_code::INVALID_POINT,
+      return Indexed_status(Status_code::INVALID_POINT,
                          "vertices with a coordinate that is infinite or not a number",
                          Element_kind::VERTEX, std::move(invalid));
-    return Flat_status();
+    return Indexed_status();
   }
 
-  Flat_status read_faces(std::vector<Triangle>& triangles)
+  Indexed_status read_faces(std::vector<Triangle>& triangles)
   {
     auto index = get(CGAL::dynamic_vertex_property_t<int>(), m_tmesh);
     for(std::size_t v = 0; v < m_vertices.size(); ++v)
@@ -237,15 +237,15 @@ private:
       triangles.push_back(t);
     }
     if(!other.empty())
-      return Flat_status(Status_code::NOT_TRIANGULATED,
+      return Indexed_status(Status_code::NOT_TRIANGULATED,
                          "faces that do not have three different vertices",
                          Element_kind::FACE, std::move(other));
     if(m_faces.empty())
-      return Flat_status(Status_code::EMPTY_MESH, "the mesh has no face");
-    return Flat_status();
+      return Indexed_status(Status_code::EMPTY_MESH, "the mesh has no face");
+    return Indexed_status();
   }
 
-  Flat_status read_opposites(const std::vector<Triangle>& triangles,
+  Indexed_status read_opposites(const std::vector<Triangle>& triangles,
                              std::vector<int>& opposites) const
   {
     auto index = get(CGAL::dynamic_halfedge_property_t<int>(), m_tmesh);
@@ -264,10 +264,10 @@ private:
         misfits.push_back(h / 3);
     }
     if(!misfits.empty())
-      return Flat_status(Status_code::NON_MANIFOLD,
+      return Indexed_status(Status_code::NON_MANIFOLD,
                          "faces whose neighbors do not refer back to them",
                          Element_kind::FACE, std::move(misfits));
-    return Flat_status();
+    return Indexed_status();
   }
 
   void normalize(std::vector<Point>& points, const std::vector<Triangle>& triangles)
@@ -315,8 +315,8 @@ private:
   std::vector<halfedge_descriptor> m_halfedges;
   std::vector<face_descriptor> m_faces;
   int m_exponent = 0;
-  Flat_mesh m_mesh;
-  Flat_status m_status;
+  Indexed_mesh m_mesh;
+  Indexed_status m_status;
 };
 
 } // namespace internal

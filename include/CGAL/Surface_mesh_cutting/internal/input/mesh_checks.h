@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +25,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // The vertices whose faces form more than one fan. O(n).
-inline std::vector<int> vertices_with_several_fans(const Flat_mesh& mesh)
+inline std::vector<int> vertices_with_several_fans(const Indexed_mesh& mesh)
 {
   std::vector<int> number_of_fans(mesh.number_of_vertices(), 0);
   std::vector<char> is_visited(mesh.number_of_halfedges(), 0);
@@ -56,7 +56,7 @@ inline std::vector<int> vertices_with_several_fans(const Flat_mesh& mesh)
 // The faces that have the three vertices of another face in the same order. Two faces with the same
 // vertices in opposite orders are the two sides of a pillow and legal. O(n), as only faces at two
 // edges between the same two vertices need to be compared.
-inline std::vector<int> faces_given_twice(const Flat_mesh& mesh)
+inline std::vector<int> faces_given_twice(const Indexed_mesh& mesh)
 {
   const Csr_graph& graph = mesh.graph();
   std::vector<char> is_parallel(mesh.number_of_edges(), 0);

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
@@ -45,7 +45,7 @@ std::vector<int> indices_if(int n, const Predicate& predicate)
 enum class Thinness { NORMAL, NEEDLE, DEGENERATE };
 
 // Needles have an angle below 0.01 degrees. Degenerate faces are so thin that their shape is replaced.
-inline Thinness thinness(const Flat_mesh& mesh, int f)
+inline Thinness thinness(const Indexed_mesh& mesh, int f)
 {
   constexpr double sine_of_a_hundredth_degree = 1.7453e-4;
   std::array<double, 3> lengths;
@@ -59,7 +59,7 @@ inline Thinness thinness(const Flat_mesh& mesh, int f)
 }
 
 // The edges that are far shorter than the longest one, without those of length zero.
-inline std::vector<int> tiny_edges(const Flat_mesh& mesh)
+inline std::vector<int> tiny_edges(const Indexed_mesh& mesh)
 {
   constexpr double tiny = 1e-5;
   double longest = 0;
@@ -70,7 +70,7 @@ inline std::vector<int> tiny_edges(const Flat_mesh& mesh)
 }
 
 // The vertices, isolated ones apart, at the very point of another one.
-inline std::vector<int> coincident_vertices(const Flat_mesh& mesh)
+inline std::vector<int> coincident_vertices(const Indexed_mesh& mesh)
 {
   const auto coordinates = [&mesh](int v)
   { return std::array<double, 3>{{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}}; };
@@ -87,7 +87,7 @@ inline std::vector<int> coincident_vertices(const Flat_mesh& mesh)
 }
 
 // A face of each closed part that is oriented inward. O(n).
-inline std::vector<int> faces_of_parts_inside_out(const Flat_mesh& mesh)
+inline std::vector<int> faces_of_parts_inside_out(const Indexed_mesh& mesh)
 {
   // A volume this small against the area is rounding, or no inside at all.
   constexpr double smallest_volume = 1e-9;
@@ -115,7 +115,7 @@ inline std::vector<int> faces_of_parts_inside_out(const Flat_mesh& mesh)
 }
 
 // What is unusual about a mesh, though handled: why a result may look odd, or take long.
-inline std::vector<Finding> mesh_warnings(const Flat_mesh& mesh)
+inline std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh)
 {
   constexpr int many_neighbors = 1000;
   std::vector<Finding> warnings;

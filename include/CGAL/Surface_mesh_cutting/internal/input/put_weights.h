@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
@@ -42,12 +42,12 @@ Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_w
   const Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
-  Flat_status status = adapter.status();
+  Indexed_status status = adapter.status();
   if(status && !(smallest_factor >= 0 && smallest_factor <= 1))
-    status = Flat_status(Status_code::WRONG_PARAMETER, "smallest_factor must be between 0 and 1");
+    status = Indexed_status(Status_code::WRONG_PARAMETER, "smallest_factor must be between 0 and 1");
   if(status)
   {
-    const Flat_mesh& mesh = adapter.mesh();
+    const Indexed_mesh& mesh = adapter.mesh();
     const std::optional<std::vector<double> > values = property(mesh);
     if(!values)
       status.finding = stopped_status().finding;

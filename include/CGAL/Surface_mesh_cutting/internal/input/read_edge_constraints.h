@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 
 #include <CGAL/number_utils.h>
@@ -31,13 +31,13 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The weights given by the named parameter `edge_weight_map`, at the scale of the flat mesh. One that is
+// The weights given by the named parameter `edge_weight_map`, at the scale of the indexed mesh. One that is
 // too large for that stays finite: it is to be refused and not to forbid the edge.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeWeightMap>
 std::vector<double> read_weights(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
                                  EdgeWeightMap edge_weight_map)
 {
-  const Flat_mesh& mesh = adapter.mesh();
+  const Indexed_mesh& mesh = adapter.mesh();
   std::vector<double> weights(mesh.number_of_edges(), 0.);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(!mesh.is_border_edge(e))
@@ -60,7 +60,7 @@ std::vector<double> read_weights(const Mesh_adapter<TriangleMesh, VertexPointMap
 // Reads the named parameters `edge_weight_map`, `edge_is_constrained_map` and
 // `edge_is_forbidden_map`.
 template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
-Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
+Indexed_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
                                   const NamedParameters& np, Edge_constraints& constraints)
 {
   using parameters::choose_parameter;
@@ -73,7 +73,7 @@ Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMa
   const auto is_constrained
     = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), none);
 
-  const Flat_mesh& mesh = adapter.mesh();
+  const Indexed_mesh& mesh = adapter.mesh();
   constraints.mandatory = adapter.read_cut(is_constrained);
   constraints.weights = read_weights(adapter, get_parameter(np, internal_np::edge_weight));
   std::vector<int> invalid;
@@ -85,7 +85,7 @@ Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMa
       constraints.weights[e] = std::numeric_limits<double>::infinity();
   }
   if(!invalid.empty())
-    return Flat_status(Status_code::WRONG_PARAMETER,
+    return Indexed_status(Status_code::WRONG_PARAMETER,
                        "edge_weight_map: weights that are negative or not a number",
                        Element_kind::EDGE, std::move(invalid));
   double sum = 0;
@@ -93,14 +93,14 @@ Flat_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMa
     if(!constraints.is_forbidden(e))
       sum += constraints.weights[e];
   if(!std::isfinite(4 * sum)) // no path and no bound is heavier
-    return Flat_status(Status_code::WRONG_PARAMETER,
+    return Indexed_status(Status_code::WRONG_PARAMETER,
                        "edge_weight_map: the sum of the weights is infinite");
-  return Flat_status();
+  return Indexed_status();
 }
 
 // Reads `vertex_is_constrained_map` and `initial_cut_map` besides the parameters about edges.
 template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
-Flat_status read_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
+Indexed_status read_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
                              const NamedParameters& np, Cutting_constraints& constraints)
 {
   using parameters::choose_parameter;

@@ -18,7 +18,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Cutting_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 
@@ -33,31 +33,22 @@ namespace internal {
 using Steiner_method = CGAL::internal::Steiner_tree::Method;
 
 // The paper's greedy points alone, or improved by exchanging them.
-inline Steiner_method steiner_method(Connection connection, bool is_faithful)
+inline Steiner_method steiner_method(Connection connection, bool use_published_method)
 {
   switch(connection)
   {
   case Connection::METRIC_CLOSURE:          return Steiner_method::metric_closure;
   case Connection::SHORTEST_PATH_HEURISTIC: return Steiner_method::shortest_path_heuristic;
-  case Connection::GREEDY:                  return is_faithful ? Steiner_method::greedy_auxiliary_points
+  case Connection::GREEDY:                  return use_published_method ? Steiner_method::greedy_auxiliary_points
                                                                : Steiner_method::local_search;
   default:                                  return Steiner_method::exact;
   }
 }
 
-// What the caller asked for besides the parameters of the method.
-struct Request
-{
-  Cutting_parameters parameters;
-  Effort effort = Effort::DEFAULT;
-  bool needs_optimal_tree = false;
-};
-
-// The parameters of the method from named parameters.
 // The sizes and budgets were found by measuring; all count work, not seconds.
 inline void set_effort(Effort effort, Cutting_parameters& p)
 {
-  const bool has_bound = p.maximum_distortion < std::numeric_limits<double>::infinity();
+  const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();
   switch(effort)
   {
   case Effort::FAST:
@@ -76,59 +67,58 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
   p.number_of_corrective_solves = has_bound ? 8 : 0;
 }
 
+// The parameters of the method from named parameters.
 template <typename NamedParameters>
-Request read_request(const NamedParameters& np)
+Cutting_parameters read_cutting_parameters(const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  Request request;
-  Cutting_parameters& p = request.parameters;
+  Cutting_parameters p;
   const auto read = [](const auto& given, auto& value)
   { value = choose_parameter(given, value); };
   read(get_parameter(np, internal_np::minimum_distortion_decrease), p.minimum_distortion_decrease);
   read(get_parameter(np, internal_np::minimum_length_decrease), p.minimum_length_decrease);
   read(get_parameter(np, internal_np::minimum_area_ratio), p.minimum_area_ratio);
-  read(get_parameter(np, internal_np::maximum_distortion), p.maximum_distortion);
+  read(get_parameter(np, internal_np::maximum_average_distortion), p.maximum_average_distortion);
   read(get_parameter(np, internal_np::influence_threshold), p.influence_threshold);
   read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
-  read(get_parameter(np, internal_np::faithful), p.is_faithful);
+  read(get_parameter(np, internal_np::use_published_method), p.use_published_method);
   read(get_parameter(np, internal_np::do_bijective), p.do_bijective);
   read(get_parameter(np, internal_np::random_seed), p.random_seed);
   // The paper's maps cost ten times as much as spectral ones and lead to cuts of the same quality.
-  p.conformal_solver = p.is_faithful ? Conformal_solver::KP_NEWTON : Conformal_solver::SPECTRAL;
+  p.conformal_solver = p.use_published_method ? Conformal_solver::KP_NEWTON : Conformal_solver::SPECTRAL;
   read(get_parameter(np, internal_np::conformal_solver), p.conformal_solver);
-  read(get_parameter(np, internal_np::effort), request.effort);
   read(get_parameter(np, internal_np::maximum_number_of_states), p.connection.maximum_number_of_states);
 
   // The paper connects greedily.
-  Connection connection = p.is_faithful ? Connection::GREEDY : Connection::BEST;
+  Connection connection = p.use_published_method ? Connection::GREEDY : Connection::BEST;
   read(get_parameter(np, internal_np::connection), connection);
-  p.connection.method = steiner_method(connection, p.is_faithful);
-  request.needs_optimal_tree = connection == Connection::EXACT;
-  if(request.needs_optimal_tree)
+  p.connection.method = steiner_method(connection, p.use_published_method);
+  p.needs_optimal_tree = connection == Connection::EXACT;
+  if(p.needs_optimal_tree)
     p.number_of_states_while_refining = p.connection.maximum_number_of_states;
-  if(!p.is_faithful)
-    set_effort(request.effort, p);
+  if(!p.use_published_method)
+    set_effort(choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT), p);
   else
     p.decrease_per_length = 0;
   read(get_parameter(np, internal_np::minimum_decrease_per_length), p.decrease_per_length);
   read(get_parameter(np, internal_np::coarse_number_of_faces), p.coarse_number_of_faces);
-  return request;
+  return p;
 }
 
-inline Flat_status check_parameters(const Cutting_parameters& p)
+inline Indexed_status check_parameters(const Cutting_parameters& p)
 {
   const auto refuse = [](const char* name, const char* range)
-  { return Flat_status(Status_code::WRONG_PARAMETER, std::string(name) + " must be " + range); };
+  { return Indexed_status(Status_code::WRONG_PARAMETER, std::string(name) + " must be " + range); };
   constexpr double ideal = Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy::ideal;
   const auto is_non_negative = [](double x) { return std::isfinite(x) && x >= 0; };
   if(!is_non_negative(p.minimum_distortion_decrease))
     return refuse("minimum_distortion_decrease", "finite and not negative");
   if(!is_non_negative(p.minimum_length_decrease))
     return refuse("minimum_length_decrease", "finite and not negative");
-  if(!(p.maximum_distortion > ideal))
-    return refuse("maximum_distortion", "greater than 4, the energy of an isometric map");
+  if(!(p.maximum_average_distortion > ideal))
+    return refuse("maximum_average_distortion", "greater than 4, the energy of an isometric map");
   if(!is_non_negative(p.decrease_per_length))
     return refuse("minimum_decrease_per_length", "finite and not negative");
   if(p.coarse_number_of_faces < 0)
@@ -139,7 +129,7 @@ inline Flat_status check_parameters(const Cutting_parameters& p)
     return refuse("influence_threshold", "finite and not negative");
   if(!is_non_negative(p.forbidden_radius))
     return refuse("forbidden_radius", "finite and not negative");
-  return Flat_status();
+  return Indexed_status();
 }
 
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 
@@ -45,7 +45,7 @@ public:
     std::vector<Eigen::Vector2d> uv;
   };
 
-  explicit Local_window(const Flat_mesh& mesh)
+  explicit Local_window(const Indexed_mesh& mesh)
     : m_mesh(mesh), m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
   {}
 
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   Shortest_paths m_reach;
   std::vector<int> m_faces;
   double m_radius = 0;

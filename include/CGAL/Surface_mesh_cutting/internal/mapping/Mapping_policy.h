@@ -45,7 +45,7 @@ struct Mapping_policy
 inline Mapping_policy mapping_policy(const Cutting_parameters& parameters)
 {
   Mapping_policy policy(*parameters.linear_solvers);
-  if(parameters.is_faithful)
+  if(parameters.use_published_method)
   {
     policy.first_map = First_map::TUTTE;
     policy.precision = Newton_options().decrement;

@@ -29,7 +29,7 @@ namespace internal {
 struct Open_chart
 {
   Cut cut;
-  Chart chart;
+  Corner_table chart;
   std::vector<Eigen::Vector2d> uv;
   double energy = 0; // area-averaged, converged
   double precision = std::numeric_limits<double>::infinity(); // the decrement that was reached, of the energy

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Problem.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 

@@ -15,11 +15,11 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Closing_search.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
-#include <CGAL/Surface_mesh_cutting/internal/connection/connect_in_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 
 #include <algorithm>
 #include <limits>
@@ -63,13 +63,13 @@ public:
   Cut_refiner(const Problem& problem, const Context& context)
     : m_mesh(problem.mesh), m_constraints(problem.constraints), m_terminals(problem.terminals),
       m_parameters(context.parameters), m_control(context.control), m_slits(problem.mesh, problem.constraints),
-      m_closings(problem.mesh, problem.constraints),
+      m_removals(problem.mesh, problem.constraints),
       m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control)
   {}
 
   // Connects the features; call first. A tree that will not matter gets as little effort as one on the way to
   // the final tree.
-  Flat_status connect(std::vector<int> features, bool matters = true)
+  Indexed_status connect(std::vector<int> features, bool matters = true)
   {
     m_features = std::move(features);
     connect(matters ? m_parameters.connection : m_parameters.connection_while_refining());
@@ -106,7 +106,7 @@ public:
   // Opens slits until the energy is at most `bound`, each the one with the best gain per length, as
   // long as that is more than `least_gain`. The tree through all points is shorter than the cut with
   // the slits; it is taken if it keeps the bound, too. False if no slit helps any more.
-  bool lower_to(double bound, double least_gain = 0)
+  bool reduce_distortion_to(double bound, double least_gain = 0)
   {
     constexpr int maximum_number_of_rounds = 3;
     for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain); ++round)
@@ -149,7 +149,7 @@ private:
 
   void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
-    m_tree = connect_in_chart<ConcurrencyTag>(m_mesh, m_constraints, m_features, options,
+    m_tree = connect_terminals<ConcurrencyTag>(m_mesh, m_constraints, m_features, options,
                                               [this] { return m_control.go_further(); });
     m_is_connected = true;
     m_length = cut_length(m_mesh, m_tree.cut);
@@ -250,34 +250,34 @@ private:
     int number_of_failures = 0;
     while(m_solves_left > 0 && number_of_failures < maximum_number_of_failures && goes_on())
     {
-      const Closing closing = m_closings.best(m_map, m_features, is_kept, allowed_cost);
-      if(closing.tip < 0)
+      const Branch_removal removal = m_removals.best(m_map, m_features, is_kept, allowed_cost);
+      if(removal.tip < 0)
         break;
       --m_solves_left;
-      number_of_failures += !close(closing, limits);
+      number_of_failures += !close(removal, limits);
     }
   }
 
-  bool close(const Closing& closing, const Refinement_limits& limits)
+  bool close(const Branch_removal& removal, const Refinement_limits& limits)
   {
     Mapped_cut former = state();
     const bool was_tree = is_tree();
-    m_features.erase(std::remove(m_features.begin(), m_features.end(), closing.tip), m_features.end());
-    if(closing.new_tip >= 0)
-      m_features.push_back(closing.new_tip);
+    m_features.erase(std::remove(m_features.begin(), m_features.end(), removal.tip), m_features.end());
+    if(removal.new_tip >= 0)
+      m_features.push_back(removal.new_tip);
     m_is_connected = false;
     Cut cut = m_map.cut();
-    for(int e : closing.edges)
+    for(int e : removal.edges)
       cut[e] = 0;
     m_length = cut_length(m_mesh, cut);
-    bool is_within = map(cut, largest_energy(limits, former.chart.energy, closing.length));
+    bool is_within = map(cut, largest_energy(limits, former.chart.energy, removal.length));
     double cost = m_map.energy() - former.chart.energy;
     if(is_within && was_tree && !reconnect(limits) && limits.keeps_tree)
     {
       is_within = false;
       cost = std::numeric_limits<double>::infinity();
     }
-    m_closings.remember(closing, cost);
+    m_removals.remember(removal, cost);
     if(!is_within)
       restore(std::move(former));
     return is_within;
@@ -308,14 +308,14 @@ private:
     return has_slit;
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
   const std::vector<int>& m_terminals;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;
   Slit_search m_slits;
-  Closing_search m_closings;
-  Running_map m_map;
+  Branch_removal_search m_removals;
+  Incremental_parameterization m_map;
   std::vector<int> m_features;
   Connected_cut m_tree;
   bool m_is_connected = false;

@@ -33,7 +33,7 @@ struct Leaf_branch
 
 // All such paths, in the order of their tips' indices. A path with two tips is found from both.
 // `is_end` tells, per vertex, where they end in any case; O(n).
-inline std::vector<Leaf_branch> leaf_branches(const Flat_mesh& mesh, const Cut& cut, const std::vector<char>& is_end)
+inline std::vector<Leaf_branch> leaf_branches(const Indexed_mesh& mesh, const Cut& cut, const std::vector<char>& is_end)
 {
   std::vector<int> degree(mesh.number_of_vertices(), 0);
   std::vector<char> is_on_border(mesh.number_of_vertices(), 0);

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 
 #include <algorithm>
 #include <iterator>
@@ -43,25 +43,25 @@ struct Slit
 class Slit_search
 {
 public:
-  Slit_search(const Flat_mesh& mesh, const Edge_constraints& constraints)
+  Slit_search(const Indexed_mesh& mesh, const Edge_constraints& constraints)
     : m_mesh(mesh), m_constraints(constraints), m_paths(mesh.graph())
   {}
 
   // `is_excluded` holds, per vertex, where no slit may end. The tip is -1 if there is none.
-  Slit best(Running_map& map, const std::vector<char>& is_excluded)
+  Slit best(Incremental_parameterization& map, const std::vector<char>& is_excluded)
   {
     constexpr std::size_t number_of_trials = 12;
     measure_distances(map.cut());
     const std::vector<double> distortion = map.vertex_distortion();
-    std::vector<double> promise(distortion.size(), 0);
-    for(std::size_t v = 0; v < promise.size(); ++v)
+    std::vector<double> score(distortion.size(), 0);
+    for(std::size_t v = 0; v < score.size(); ++v)
       if(!is_excluded[v] && m_paths.distance(int(v)) < Shortest_paths::infinity())
-        promise[v] = (distortion[v] - Symmetric_Dirichlet_energy::ideal) * m_paths.distance(int(v));
+        score[v] = (distortion[v] - Symmetric_Dirichlet_energy::ideal) * m_paths.distance(int(v));
     std::vector<std::pair<double, int> > proposals;
-    for(bool by_promise : {false, true})
-      for(int v : local_maximizers(m_mesh, by_promise ? promise : distortion))
-        if(promise[v] > 0)
-          proposals.emplace_back(-promise[v], v);
+    for(bool by_score : {false, true})
+      for(int v : local_maximizers(m_mesh, by_score ? score : distortion))
+        if(score[v] > 0)
+          proposals.emplace_back(-score[v], v);
     std::sort(proposals.begin(), proposals.end());
     proposals.erase(std::unique(proposals.begin(), proposals.end()), proposals.end());
     if(proposals.size() > number_of_trials)
@@ -99,7 +99,7 @@ private:
     return slit;
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
   Shortest_paths m_paths;
 };

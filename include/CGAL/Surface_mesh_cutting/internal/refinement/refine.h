@@ -25,7 +25,7 @@ namespace internal {
 
 inline bool has_bound(const Cutting_parameters& parameters)
 {
-  return parameters.maximum_distortion < std::numeric_limits<double>::infinity();
+  return parameters.maximum_average_distortion < std::numeric_limits<double>::infinity();
 }
 
 // What refinement aims at.
@@ -47,12 +47,12 @@ void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, c
   limits.number_of_solves = goal.number_of_solves;
   if(has_bound(parameters))
   {
-    refiner.lower_to(goal.bound);
+    refiner.reduce_distortion_to(goal.bound);
     limits.energy = (std::max)(goal.bound, refiner.chart().energy);
   }
   else
   {
-    refiner.lower_to(goal.repair_threshold, parameters.decrease_per_length);
+    refiner.reduce_distortion_to(goal.repair_threshold, parameters.decrease_per_length);
     limits.energy = refiner.chart().energy + parameters.minimum_distortion_decrease;
     limits.energy_per_length = parameters.decrease_per_length;
   }

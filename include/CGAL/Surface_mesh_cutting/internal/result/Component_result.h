@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <algorithm>
 #include <vector>
@@ -28,14 +28,14 @@ namespace internal {
 // What is known about one component of the surface after a run.
 struct Component_result
 {
-  Flat_status status;
+  Indexed_status status;
   bool has_cut = false, has_map = false; // a stopped run may have both
-  int candidates = 0, auxiliary = 0;
+  int number_of_candidates = 0, number_of_auxiliary_points = 0;
   std::vector<int> features;
   Cut cut;
   double length = 0, lower_bound = 0;
   bool is_optimal = false;
-  Chart chart;
+  Corner_table chart;
   std::vector<Eigen::Vector2d> uv;
   double energy = 0;
   std::vector<Trade_off> trade_offs; // of all cuts that were mapped
@@ -51,14 +51,14 @@ struct Component_result
   {
     std::vector<Trade_off> all;
     for(const Trade_off& t : trade_offs)
-      if(t.cut_length > length || t.E_iso > energy)
+      if(t.cut_length > length || t.average_distortion > energy)
         all.push_back(t);
     all.push_back({length, energy});
     std::sort(all.begin(), all.end(), [](const Trade_off& a, const Trade_off& b)
-              { return a.cut_length != b.cut_length ? a.cut_length < b.cut_length : a.E_iso < b.E_iso; });
+              { return a.cut_length != b.cut_length ? a.cut_length < b.cut_length : a.average_distortion < b.average_distortion; });
     trade_offs.clear();
     for(const Trade_off& t : all)
-      if(trade_offs.empty() || t.E_iso < trade_offs.back().E_iso)
+      if(trade_offs.empty() || t.average_distortion < trade_offs.back().average_distortion)
         trade_offs.push_back(t);
   }
 };

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <Eigen/Core>
 
@@ -27,18 +27,18 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What a run found, in terms of the whole flat mesh.
+// What a run found, in terms of the whole indexed mesh.
 struct Mesh_result
 {
-  Flat_status status;
+  Indexed_status status;
   bool has_result = false; // cut or map, as was asked for
   int components = 0, genus = 0, borders = 0;
-  int candidates = 0, auxiliary = 0;
+  int number_of_candidates = 0, number_of_auxiliary_points = 0;
   std::vector<int> features;
   Cut cut;
   double length = 0, lower_bound = 0, diagonal = 0;
   bool is_optimal = true;
-  Chart chart;
+  Corner_table chart;
   std::vector<Eigen::Vector2d> uv;
   double average_energy = 0, maximum_energy = 0;
   int flips = 0;
@@ -46,7 +46,7 @@ struct Mesh_result
   std::vector<Trade_off> trade_offs;
 };
 
-enum class Goal { FEATURES, CUT, MAP };
+enum class Output_kind { FEATURES, CUT, MAP };
 
 } // namespace internal
 } // namespace Surface_mesh_cutting

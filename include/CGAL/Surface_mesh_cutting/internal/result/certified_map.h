@@ -38,7 +38,7 @@ struct Certified_map
 
 // Rounds the map, moving vertices where triangles would flip. If no two triangles may overlap, those of
 // a triangulation of what lies between the borders must not flip either.
-inline std::vector<Eigen::Vector2d> rounded_without_flips(const Chart& chart, const std::vector<Eigen::Vector2d>& uv,
+inline std::vector<Eigen::Vector2d> rounded_without_flips(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
                                                           bool do_bijective, const Round& round)
 {
   using Surface_mesh_parameterization::internal::Rounding_repair;
@@ -63,7 +63,7 @@ inline std::vector<Eigen::Vector2d> rounded_without_flips(const Chart& chart, co
 
 // The map rounded as it will be held, certified; what rounding spoils is repaired, if need be at scales that
 // round differently.
-inline Certified_map certified_map(const Chart& chart, const std::vector<Eigen::Vector2d>& uv, bool do_bijective,
+inline Certified_map certified_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv, bool do_bijective,
                                    const Round& round)
 {
   Certified_map held;

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <algorithm>
 #include <string>
@@ -27,14 +27,14 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // OK if all parts of a chart are disks, otherwise the faces of the first part that is not. O(n).
-inline Flat_status check_disks(const Chart& chart)
+inline Indexed_status check_disks(const Corner_table& chart)
 {
   const Connected_parts parts(chart.opposites());
   const std::vector<Topology> topology = topologies(chart, parts);
   const auto is_bad = [](const Topology& t) { return !t.is_disk(); };
   const auto bad = std::find_if(topology.begin(), topology.end(), is_bad);
   if(bad == topology.end())
-    return Flat_status();
+    return Indexed_status();
   std::vector<int> faces;
   for(int f = 0; f < chart.number_of_triangles(); ++f)
     if(parts.part[f] == bad - topology.begin())
@@ -43,7 +43,7 @@ inline Flat_status check_disks(const Chart& chart)
   const std::string message = "parts that are not disks: " + std::to_string(number)
                             + "; the first has genus " + std::to_string(bad->genus())
                             + " and " + std::to_string(bad->border_loops) + " border(s)";
-  return Flat_status(Status_code::NOT_CUT_TO_DISKS, message, Element_kind::FACE, std::move(faces));
+  return Indexed_status(Status_code::NOT_CUT_TO_DISKS, message, Element_kind::FACE, std::move(faces));
 }
 
 } // namespace internal

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/result/check_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 
@@ -45,10 +45,10 @@ struct Certificate
   int overlaps() const { return crossings + containments; }
   explicit operator bool() const { return faces.empty(); }
 
-  Flat_status status() const
+  Indexed_status status() const
   {
     if(faces.empty())
-      return Flat_status();
+      return Indexed_status();
     std::string message;
     const auto add = [&message](int count, const char* what)
     {
@@ -60,7 +60,7 @@ struct Certificate
     add(flips - non_finite, "triangles that are not counterclockwise");
     add(crossings, "overlaps of chart borders");
     add(containments, "charts on top of another chart");
-    return Flat_status(Status_code::NOT_CERTIFIED, std::move(message), Element_kind::FACE, faces);
+    return Indexed_status(Status_code::NOT_CERTIFIED, std::move(message), Element_kind::FACE, faces);
   }
 };
 
@@ -85,7 +85,7 @@ inline Certificate certify_triangles(const std::vector<Triangle>& triangles,
 
 // Checks with exact predicates that `uv`, one per chart vertex, is finite and maps each triangle to
 // a strictly counterclockwise one and, on request, that no two triangles overlap.
-inline Certificate certify(const Chart& chart, const std::vector<Eigen::Vector2d>& uv,
+inline Certificate certify(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
                            bool do_bijective)
 {
   Certificate certificate = certify_triangles(chart.triangles(), uv);
@@ -110,7 +110,7 @@ inline Certificate certify(const Chart& chart, const std::vector<Eigen::Vector2d
 }
 
 // The same for UVs given per corner, which have to agree at each chart vertex.
-inline Certificate certify_corners(const Chart& chart,
+inline Certificate certify_corners(const Corner_table& chart,
                                    const std::vector<Eigen::Vector2d>& corner_uv,
                                    bool do_bijective)
 {

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ public:
       return result;
     Detected_features detected = detect_features<ConcurrencyTag>(m_problem, 0, m_context);
     result.status = detected.status;
-    result.candidates = detected.number_of_candidates;
+    result.number_of_candidates = detected.number_of_candidates;
     result.features = std::move(detected.features);
     return result;
   }
@@ -85,7 +85,7 @@ private:
     double lowest = std::numeric_limits<double>::infinity();
     for(const Component_result& r : results)
       lowest = (std::min)(lowest, r.energy);
-    const double limit = has_bound(parameters) ? (std::max)(parameters.maximum_distortion, lowest)
+    const double limit = has_bound(parameters) ? (std::max)(parameters.maximum_average_distortion, lowest)
                                                : lowest + parameters.minimum_distortion_decrease;
     Component_result* best = nullptr;
     for(Component_result& r : results)

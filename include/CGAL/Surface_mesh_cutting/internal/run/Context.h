@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Cutting_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Phase_clock.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
 
@@ -32,11 +32,11 @@ struct Context
 };
 
 // Why there is no map.
-inline Flat_status failure(const Run_control& control)
+inline Indexed_status failure(const Run_control& control)
 {
   if(control.is_stopped())
     return stopped_status();
-  return Flat_status(Status_code::NUMERICAL_FAILURE, "no valid map of the opened surface was found");
+  return Indexed_status(Status_code::NUMERICAL_FAILURE, "no valid map of the opened surface was found");
 }
 
 } // namespace internal

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/keep_one_island.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/restrict_to_feasible_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
@@ -44,13 +44,12 @@ template <typename ConcurrencyTag>
 class Mesh_cutter
 {
 public:
-  // `round`: what becomes of a UV at the scale of the flat mesh when it is handed out and read back.
-  Mesh_cutter(const Flat_mesh& mesh, Round round, const Cutting_constraints& constraints, const Request& request,
-              Run_control& control, Phase_clock& clock)
-    : m_mesh(mesh), m_round(std::move(round)), m_constraints(constraints), m_request(request), m_control(control), m_clock(clock)
+  // `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
+  Mesh_cutter(const Indexed_mesh& mesh, Round round, const Cutting_constraints& constraints, const Context& context)
+    : m_mesh(mesh), m_round(std::move(round)), m_constraints(constraints), m_context(context)
   {}
 
-  Mesh_result run(Goal goal)
+  Mesh_result run(Output_kind output)
   {
     Mesh_result result;
     result.diagonal = bounding_box_diagonal(m_mesh);
@@ -61,16 +60,16 @@ public:
     const Cut& mandatory = m_constraints.edges.mandatory;
     result.cut = mandatory;
     result.length = result.lower_bound = cut_length(m_mesh, mandatory);
-    const std::vector<Flat_component> components = split_along(m_mesh, mandatory);
-    std::vector<Component_result> parts = cut_components(components, goal);
+    const std::vector<Indexed_component> components = split_along(m_mesh, mandatory);
+    std::vector<Component_result> parts = cut_components(components, output);
     for(std::size_t i = 0; i < components.size(); ++i)
-      if(!add_part(components[i], std::move(parts[i]), goal, result))
+      if(!add_part(components[i], std::move(parts[i]), output, result))
         return result;
     complete(result);
     if(components.size() > 1)
       result.trade_offs.clear();
     result.has_result = true;
-    if(goal == Goal::MAP)
+    if(output == Output_kind::MAP)
     {
       if(components.size() > 1)
         lay_side_by_side(components, result);
@@ -82,7 +81,7 @@ public:
 private:
   void describe_topology(Mesh_result& result) const
   {
-    const Chart chart = make_chart(m_mesh, Cut(m_mesh.number_of_edges(), 0));
+    const Corner_table chart = make_chart(m_mesh, Cut(m_mesh.number_of_edges(), 0));
     for(const Topology& t : topologies(chart, Connected_parts(chart.opposites())))
     {
       ++result.components;
@@ -91,14 +90,14 @@ private:
     }
   }
 
-  Flat_status check_constraints() const
+  Indexed_status check_constraints() const
   {
     std::vector<int> isolated;
     for(int v : m_constraints.terminals)
       if(m_mesh.is_isolated(v))
         isolated.push_back(v);
     if(!isolated.empty())
-      return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
+      return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
                          Element_kind::VERTEX, std::move(isolated));
     return check_no_edge_is_mandatory_and_forbidden(m_mesh, m_constraints.edges);
   }
@@ -117,7 +116,7 @@ private:
 
   // Each in a place of its own, in parallel if the tag says so. What comes after a component that fails
   // is not needed.
-  std::vector<Component_result> cut_components(const std::vector<Flat_component>& components, Goal goal)
+  std::vector<Component_result> cut_components(const std::vector<Indexed_component>& components, Output_kind output)
   {
     std::vector<Component_result> parts(components.size());
     std::atomic<int> first_failure(int(components.size()));
@@ -125,72 +124,72 @@ private:
     {
       if(i > first_failure)
         return;
-      parts[i] = cut_component(components[i], goal);
-      for(int first = first_failure; !has_result(parts[i], goal) && i < first;)
+      parts[i] = cut_component(components[i], output);
+      for(int first = first_failure; !has_result(parts[i], output) && i < first;)
         if(first_failure.compare_exchange_weak(first, i))
           return;
     });
     return parts;
   }
 
-  Component_result cut_component(const Flat_component& component, Goal goal)
+  Component_result cut_component(const Indexed_component& component, Output_kind output)
   {
     Component_result part;
     Edge_constraints constraints = restriction(m_constraints.edges, component);
     constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
     std::vector<int> terminals = inner_terminals(component, m_constraints.terminals);
-    part.status = keep_one_island(component.mesh, component.topology, terminals, constraints);
+    part.status = restrict_to_feasible_component(component.mesh, component.topology, terminals, constraints);
     if(!part.status)
       return part;
-    Cutting_parameters parameters = m_request.parameters;
+    Cutting_parameters parameters = m_context.parameters;
     const double diagonal = bounding_box_diagonal(component.mesh);
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
     parameters.decrease_per_length /= diagonal;
-    const Flat_mesh& mesh = component.mesh;
+    const Indexed_mesh& mesh = component.mesh;
     Problem problem{mesh,
                     Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()),
                     std::move(constraints),
                     std::move(terminals),
                     Initial_cut(component.restriction(m_constraints.initial)),
                     component.topology.genus() == 0 && component.topology.border_loops == 0};
-    Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_control, m_clock});
-    return goal == Goal::FEATURES ? cutter.detect() : cutter.run(goal == Goal::MAP);
+    Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_context.control, m_context.clock});
+    return output == Output_kind::FEATURES ? cutter.detect() : cutter.run(output == Output_kind::MAP);
   }
 
-  static bool has_result(const Component_result& part, Goal goal)
+  static bool has_result(const Component_result& part, Output_kind output)
   {
-    return goal == Goal::MAP ? part.has_map : goal == Goal::CUT ? part.has_cut : bool(part.status);
+    return output == Output_kind::MAP ? part.has_map : output == Output_kind::CUT ? part.has_cut : bool(part.status);
   }
 
   // Adds what was found for a component; false if it failed.
-  bool add_part(const Flat_component& component, Component_result part, Goal goal, Mesh_result& result) const
+  bool add_part(const Indexed_component& component, Component_result part, Output_kind output, Mesh_result& result) const
   {
-    result.candidates += part.candidates;
+    result.number_of_candidates += part.number_of_candidates;
     if(!part.status)
       result.status = component.in_whole(part.status);
-    if(!has_result(part, goal))
+    if(!has_result(part, output))
       return false;
     for(int v : part.features)
       result.features.push_back(component.vertices[v]);
-    if(goal == Goal::FEATURES)
+    if(output == Output_kind::FEATURES)
       return true;
     component.add_to(part.cut, result.cut);
-    result.auxiliary += part.auxiliary;
+    result.number_of_auxiliary_points += part.number_of_auxiliary_points;
     for(const Trade_off& t : part.trade_offs) // of the first component: with the mandatory edges
-      result.trade_offs.push_back({result.length + t.cut_length, t.E_iso});
+      result.trade_offs.push_back({result.length + t.cut_length, t.average_distortion});
     result.length += part.length;
     result.lower_bound += part.lower_bound;
     result.is_optimal = result.is_optimal && part.is_optimal;
-    if(m_request.needs_optimal_tree && !part.is_optimal)
-      result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
+    if(m_context.parameters.needs_optimal_tree && !part.is_optimal)
+      result.status = Indexed_status(Status_code::BOUND_NOT_REACHED,
                                   "the cut is not proven to be the shortest one within the budget");
-    if(goal == Goal::MAP)
+    if(output == Output_kind::MAP)
       add_map(component, std::move(part), result);
     return true;
   }
 
   // Hands the UVs of the component's chart over to the chart of the whole.
-  void add_map(const Flat_component& component, Component_result part, Mesh_result& result) const
+  void add_map(const Indexed_component& component, Component_result part, Mesh_result& result) const
   {
     if(result.chart.number_of_triangles() == 0)
       result.chart = make_chart(m_mesh, m_constraints.edges.mandatory);
@@ -207,7 +206,7 @@ private:
 
   // Moves the charts of the components apart: rows of about the width of a square that holds all,
   // charts in the order of their heights.
-  void lay_side_by_side(const std::vector<Flat_component>& components, Mesh_result& result) const
+  void lay_side_by_side(const std::vector<Indexed_component>& components, Mesh_result& result) const
   {
     struct Box { Eigen::Vector2d low, size; std::size_t component; };
     std::vector<Box> boxes;
@@ -251,7 +250,7 @@ private:
   // map that fails is not handed out.
   void certify(Mesh_result& result) const
   {
-    const bool do_bijective = m_request.parameters.do_bijective;
+    const bool do_bijective = m_context.parameters.do_bijective;
     const Map_measures measures(m_mesh.triangles(), m_mesh.points(), result.chart.triangles());
     const double scale = measures.best_scale(result.uv);
     for(Eigen::Vector2d& u : result.uv)
@@ -261,7 +260,7 @@ private:
     result.flips = map.certificate.flips;
     if(do_bijective)
       result.overlaps = map.certificate.overlaps();
-    const Flat_status disks = check_disks(result.chart);
+    const Indexed_status disks = check_disks(result.chart);
     result.has_result = disks && map.certificate;
     if(!disks)
       result.status.finding = disks.finding;
@@ -279,25 +278,23 @@ private:
     result.maximum_energy = energies.maximum;
     for(Trade_off& t : result.trade_offs) // the result is one of them
       if(t.cut_length == result.length)
-        t.E_iso = result.average_energy;
+        t.average_distortion = result.average_energy;
     if(measures.has_thickened_faces())
       result.status.warnings.push_back(Finding{Status_code::OK, "the mean energy without the faces of (nearly) no area is "
                                                                   + std::to_string(energies.average_of_others),
                                                Element_kind::NONE, {}});
-    const bool keeps_bound = result.average_energy <= m_request.parameters.maximum_distortion;
+    const bool keeps_bound = result.average_energy <= m_context.parameters.maximum_average_distortion;
     Finding& finding = result.status.finding;
     if(finding.code == Status_code::OK && !keeps_bound)
       finding = bound_missed().finding;
-    else if(finding.code == Status_code::BOUND_NOT_REACHED && keeps_bound && !m_request.needs_optimal_tree)
+    else if(finding.code == Status_code::BOUND_NOT_REACHED && keeps_bound && !m_context.parameters.needs_optimal_tree)
       finding = Finding(); // a component alone misses the bound, the whole keeps it
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Round m_round;
   const Cutting_constraints& m_constraints;
-  const Request& m_request;
-  Run_control& m_control;
-  Phase_clock& m_clock;
+  const Context m_context;
 };
 
 } // namespace internal

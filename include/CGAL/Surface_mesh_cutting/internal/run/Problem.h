@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Initial_cut.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
@@ -28,11 +28,11 @@ namespace internal {
 
 using Surface_mesh_parameterization::internal::Rest_shape;
 
-// A connected surface at one resolution and what its cut has to satisfy. Some cut does (`keep_one_island()`); what
+// A connected surface at one resolution and what its cut has to satisfy. Some cut does (`restrict_to_feasible_component()`); what
 // is mandatory are the loops that cut the handles.
 struct Problem
 {
-  const Flat_mesh& mesh;
+  const Indexed_mesh& mesh;
   std::vector<Rest_shape> shapes;
   Edge_constraints constraints;
   std::vector<int> terminals;

@@ -46,7 +46,7 @@ public:
     Component_result result;
     Detected_features detected = detect_features<ConcurrencyTag>(m_problem, start, m_context);
     result.status = detected.status;
-    result.candidates = detected.number_of_candidates;
+    result.number_of_candidates = detected.number_of_candidates;
     result.add(detected.trade_offs);
     if(!result.status)
       return result;
@@ -97,7 +97,7 @@ private:
     if(refiner.is_connected())
       result.lower_bound += tree.lower_bound;
     result.is_optimal = refiner.is_connected() && tree.is_optimal && cut == tree.cut;
-    result.auxiliary = tree.number_of_auxiliary_points;
+    result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
   }
 
   bool map(Refiner& refiner, Component_result& result) const
@@ -115,7 +115,7 @@ private:
   // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
   void refine_and_parameterize(Refiner& refiner, double repair_threshold, Component_result& result) const
   {
-    const double bound = m_parameters.maximum_distortion;
+    const double bound = m_parameters.maximum_average_distortion;
     refine_and_parameterize(refiner, {bound, repair_threshold, m_is_coarsened ? m_parameters.number_of_corrective_solves
                                                                               : m_parameters.number_of_shortening_solves},
                             result);
@@ -146,7 +146,7 @@ private:
     // As long as no round keeps the bound: about twenty seconds, after which none has been seen to keep it.
     constexpr double maximum_number_of_solved_faces = 5e6;
     double number_of_solved_faces = 0;
-    const double bound = m_parameters.maximum_distortion, precision = 0.02 * (bound - ideal);
+    const double bound = m_parameters.maximum_average_distortion, precision = 0.02 * (bound - ideal);
     // Down by what is missing, and not by less than a tenth nor by more than half of what is left.
     const auto lowered = [&](double former, double missing)
     { return (std::max)(former - (std::max)(missing, 0.1 * (bound - ideal)), (former + ideal) / 2); };

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <utility>
 #include <vector>
@@ -36,7 +36,7 @@ struct Contracted_surface
 
   // `weight(h)` is the weight of the edge of the halfedge `h`. O(n).
   template <typename Weight>
-  Contracted_surface(const Chart& chart, Weight weight)
+  Contracted_surface(const Corner_table& chart, Weight weight)
     : border_loops(chart.border_loops()), nodes(chart.number_of_vertices(), -1)
   {
     int number_of_nodes = 0;

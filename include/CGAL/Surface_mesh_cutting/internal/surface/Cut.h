@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <vector>
 
@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// One entry per edge of a flat mesh: whether the surface is open there. Borders are open anyway and
+// One entry per edge of a indexed mesh: whether the surface is open there. Borders are open anyway and
 // never marked.
 using Cut = std::vector<char>;
 
-inline double cut_length(const Flat_mesh& mesh, const Cut& cut)
+inline double cut_length(const Indexed_mesh& mesh, const Cut& cut)
 {
   double length = 0;
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -36,7 +36,7 @@ inline double cut_length(const Flat_mesh& mesh, const Cut& cut)
 }
 
 // Of a path or any other set of edges.
-inline double total_length(const Flat_mesh& mesh, const std::vector<int>& edges)
+inline double total_length(const Indexed_mesh& mesh, const std::vector<int>& edges)
 {
   double length = 0;
   for(int e : edges)
@@ -45,7 +45,7 @@ inline double total_length(const Flat_mesh& mesh, const std::vector<int>& edges)
 }
 
 // The lower halfedge of each marked edge.
-inline std::vector<int> cut_halfedges(const Flat_mesh& mesh, const Cut& cut)
+inline std::vector<int> cut_halfedges(const Indexed_mesh& mesh, const Cut& cut)
 {
   std::vector<int> halfedges;
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -55,7 +55,7 @@ inline std::vector<int> cut_halfedges(const Flat_mesh& mesh, const Cut& cut)
 }
 
 // Whether each vertex lies on the cut or on a border.
-inline std::vector<char> open_vertices(const Flat_mesh& mesh, const Cut& cut)
+inline std::vector<char> open_vertices(const Indexed_mesh& mesh, const Cut& cut)
 {
   std::vector<char> is_open(mesh.number_of_vertices(), 0);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -65,9 +65,9 @@ inline std::vector<char> open_vertices(const Flat_mesh& mesh, const Cut& cut)
 }
 
 // The surface opened along the cut; it may consist of several parts. O(n).
-inline Chart make_chart(const Flat_mesh& mesh, const Cut& cut)
+inline Corner_table make_chart(const Indexed_mesh& mesh, const Cut& cut)
 {
-  Chart chart(mesh.triangles(), mesh.opposites(), mesh.number_of_vertices());
+  Corner_table chart(mesh.triangles(), mesh.opposites(), mesh.number_of_vertices());
   chart.open(cut_halfedges(mesh, cut));
   return chart;
 }

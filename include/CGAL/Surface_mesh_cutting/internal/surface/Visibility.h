@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/flatness.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/AABB_tree.h>
 #if CGAL_VERSION_NR < 1060000000
@@ -54,7 +54,7 @@ class Visibility
 
 public:
   // O(n log n). The same directions, relative to the normal, serve all edges.
-  Visibility(const Flat_mesh& mesh, int number_of_rays, unsigned int random_seed)
+  Visibility(const Indexed_mesh& mesh, int number_of_rays, unsigned int random_seed)
     : m_mesh(mesh), m_directions(random_directions(number_of_rays, random_seed)),
       m_triangles(proper_triangles(mesh)), m_tree(m_triangles.begin(), m_triangles.end())
   {
@@ -99,7 +99,7 @@ private:
   }
 
   // Those without area are no obstacle, and no legal argument of the intersection tests.
-  static Triangles proper_triangles(const Flat_mesh& mesh)
+  static Triangles proper_triangles(const Indexed_mesh& mesh)
   {
     Triangles triangles;
     for(const Triangle& t : mesh.triangles())
@@ -120,7 +120,7 @@ private:
       point(origin), Kernel::Direction_3(direction.x(), direction.y(), direction.z())));
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const std::vector<Eigen::Vector3d> m_directions;
   const Triangles m_triangles;
   Tree m_tree;

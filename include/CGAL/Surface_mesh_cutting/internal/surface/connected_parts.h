@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
 #include <utility>
@@ -37,7 +37,7 @@ struct Topology
 };
 
 // The topology of each part of a chart, in which no two parts share a vertex. O(n).
-inline std::vector<Topology> topologies(const Chart& chart, const Connected_parts& parts)
+inline std::vector<Topology> topologies(const Corner_table& chart, const Connected_parts& parts)
 {
   std::vector<Topology> result(parts.number);
   std::vector<char> is_counted(chart.number_of_vertices(), 0);

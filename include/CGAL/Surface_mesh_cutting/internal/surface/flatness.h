@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -27,7 +27,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // The unit normal, or zero for a face without area.
-inline Eigen::Vector3d unit_normal(const Flat_mesh& mesh, int f)
+inline Eigen::Vector3d unit_normal(const Indexed_mesh& mesh, int f)
 {
   const Triangle& t = mesh.triangles()[f];
   const Eigen::Vector3d u = (mesh.point(t[1]) - mesh.point(t[0])).stableNormalized();
@@ -37,7 +37,7 @@ inline Eigen::Vector3d unit_normal(const Flat_mesh& mesh, int f)
 
 // For each edge the cosine of the angle between the normals of its faces, 0 if that is more than a
 // right angle; 1 where there is only one normal.
-inline std::vector<double> flatness(const Flat_mesh& mesh)
+inline std::vector<double> flatness(const Indexed_mesh& mesh)
 {
   std::vector<Eigen::Vector3d> normals;
   for(int f = 0; f < mesh.number_of_faces(); ++f)

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
 #include <CGAL/Bbox_2.h>
@@ -45,7 +45,7 @@ class Border_overlaps
 {
 public:
   // `uv` is finite. O(n + (b + k) log b) for b border segments with k pairs of meeting boxes.
-  Border_overlaps(const Chart& chart, const Connected_parts& parts,
+  Border_overlaps(const Corner_table& chart, const Connected_parts& parts,
                   const std::vector<Eigen::Vector2d>& uv)
     : m_chart(chart), m_parts(parts), m_incoming(chart.number_of_vertices(), -1)
   {
@@ -215,7 +215,7 @@ private:
     }
   }
 
-  const Chart& m_chart;
+  const Corner_table& m_chart;
   const Connected_parts& m_parts;
   std::vector<Point_2> m_points; // per chart vertex
   std::vector<int> m_border;     // all border halfedges

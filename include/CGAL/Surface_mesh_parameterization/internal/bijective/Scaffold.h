@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -41,7 +41,7 @@ class Scaffold
 public:
   // `uv` maps the chart without flips, and no two of its border edges touch. False if they do.
   // O(b log b) for b border edges on usual charts.
-  bool build(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+  bool build(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
   {
     m_points = uv;
     m_triangulation.clear();
@@ -84,7 +84,7 @@ private:
   }
 
   // The borders become constraints.
-  bool insert_border(const Chart& chart)
+  bool insert_border(const Corner_table& chart)
   {
     m_handles.assign(chart.number_of_vertices(), Vertex_handle());
     m_border.clear();
@@ -110,7 +110,7 @@ private:
     return true;
   }
 
-  void insert_box(const Chart& chart)
+  void insert_box(const Corner_table& chart)
   {
     constexpr double margin = 0.5; // on each side, as a fraction of the extent
     Eigen::Vector2d low = m_points[chart.source(m_border.front())], high = low;
@@ -132,7 +132,7 @@ private:
   }
 
   // Fills the outside from the right sides of the border. False if a border edge is no edge.
-  bool mark_outside(const Chart& chart)
+  bool mark_outside(const Corner_table& chart)
   {
     for(Face_handle f : m_triangulation.finite_face_handles())
       f->info() = false;

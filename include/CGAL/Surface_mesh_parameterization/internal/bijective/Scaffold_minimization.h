@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 
@@ -51,7 +51,7 @@ struct Scaffold_options
 class Scaffold_minimization
 {
 public:
-  Scaffold_minimization(const Chart& chart, const std::vector<Rest_shape>& shapes,
+  Scaffold_minimization(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
                         const Linear_solver_source& linear_solvers, const Scaffold_options& options)
     : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
       m_options(options)
@@ -128,7 +128,7 @@ private:
     return result.outcome;
   }
 
-  const Chart& m_chart;
+  const Corner_table& m_chart;
   const std::vector<Rest_shape>& m_shapes;
   const std::vector<double> m_weights;
   const Linear_solver_source& m_linear_solvers;

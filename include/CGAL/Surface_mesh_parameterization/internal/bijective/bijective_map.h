@@ -32,7 +32,7 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // Whether `uv` flips no triangle and is injective up to contact; exact.
-inline bool is_bijective(const Chart& chart, const std::vector<Eigen::Vector2d>& uv)
+inline bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
 {
   if(count_flips(chart.triangles(), uv) > 0)
     return false;
@@ -43,7 +43,7 @@ inline bool is_bijective(const Chart& chart, const std::vector<Eigen::Vector2d>&
 // An injective map near the optimum: Tutte's embedding of the coarsest stage of the hierarchy is
 // injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
 // Should that fail, Tutte's embedding of the whole chart is optimized. False if rounding spoils both, or if stopped.
-inline bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                             const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                             const Scaffold_options& options, std::vector<Eigen::Vector2d>& uv)
 {
@@ -73,7 +73,7 @@ inline bool bijective_start(const Chart& chart, const std::vector<Eigen::Vector3
 // As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
 // isometric map, with what its solve returned. That is the answer if its borders do not overlap.
 // FAILED if no injective map was found.
-inline Newton_result make_bijective(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+inline Newton_result make_bijective(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                     const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                                     std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
                                     const Newton_options& options)
@@ -91,7 +91,7 @@ inline Newton_result make_bijective(const Chart& chart, const std::vector<Eigen:
 
 // The same without a map to start with. `points` holds the position of each chart vertex on the
 // surface, `shapes` the triangles laid flat.
-inline Newton_result bijective_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+inline Newton_result bijective_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                    const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                                    std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
 {

@@ -27,7 +27,7 @@ struct Connected_parts
   std::vector<int> part;
   int number = 0;
 
-  // `opposites` as in `Chart`. O(n).
+  // `opposites` as in `Corner_table`. O(n).
   explicit Connected_parts(const std::vector<int>& opposites)
     : part(opposites.size() / 3, -1)
   {

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
@@ -39,7 +39,7 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// A connected component of a mesh with border as flat arrays: its chart, and for each chart vertex
+// A connected component of a mesh with border as index arrays: its chart, and for each chart vertex
 // the vertex of the mesh and its position, scaled to an extent of about one.
 template <typename TriangleMesh>
 class Mesh_chart
@@ -49,7 +49,7 @@ class Mesh_chart
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
-  const Chart& chart() const { return m_chart; }
+  const Corner_table& chart() const { return m_chart; }
   const std::vector<Eigen::Vector3d>& points() const { return m_points; }
 
   // Reads the component of the border halfedge `bhd`; says what keeps it from being mapped without
@@ -144,7 +144,7 @@ private:
       while(c >= 0 && c != first);
       m_vertices.push_back(target(halfedges[previous_halfedge(h)], mesh));
     }
-    m_chart = Chart(std::move(triangles), opposites, int(m_vertices.size()));
+    m_chart = Corner_table(std::move(triangles), opposites, int(m_vertices.size()));
   }
 
   Error_code check_topology() const
@@ -183,7 +183,7 @@ private:
     return OK;
   }
 
-  Chart m_chart;
+  Corner_table m_chart;
   std::vector<vertex_descriptor> m_vertices;
   std::vector<Eigen::Vector3d> m_points;
   int m_exponent = 0; // of two

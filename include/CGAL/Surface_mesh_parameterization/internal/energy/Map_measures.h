@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/flat_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>

@@ -37,7 +37,7 @@ class Chart_hierarchy
 public:
   // `points`: the position of each chart vertex on the surface. With `keeps_region`, the image of
   // each stage lies inside that of the coarser one, so that refining an injective map keeps it so.
-  Chart_hierarchy(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+  Chart_hierarchy(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                   bool keeps_region = false)
     : m_chart(chart), m_points(points), m_keeps_region(keeps_region),
       m_minimal_edge(minimal_edge(chart.triangles(), points))
@@ -67,7 +67,7 @@ public:
   // The current stage as a chart of its own.
   struct Stage
   {
-    Chart chart;
+    Corner_table chart;
     std::vector<int> vertices;       // of the whole chart, per vertex of the stage
     std::vector<Eigen::Vector3d> points;
     std::vector<Rest_shape> shapes;
@@ -106,7 +106,7 @@ public:
         const int o = m_chart.opposites()[3 * t + k];
         opposites.push_back(o < 0 ? -1 : 3 * numbers[o / 3] + o % 3);
       }
-    s.chart = Chart(std::move(triangles), std::move(opposites), int(s.vertices.size()));
+    s.chart = Corner_table(std::move(triangles), std::move(opposites), int(s.vertices.size()));
     return s;
   }
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <algorithm>
 #include <utility>
@@ -29,7 +29,7 @@ namespace internal {
 class Collapsible_chart
 {
 public:
-  explicit Collapsible_chart(const Chart& chart)
+  explicit Collapsible_chart(const Corner_table& chart)
     : m_triangles(chart.triangles()), m_opposites(chart.opposites()),
       m_is_dormant(m_triangles.size(), 0), m_halfedges(chart.number_of_vertices(), -1),
       m_marks(chart.number_of_vertices(), 0)

@@ -80,7 +80,7 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
 // extended to a map that is `is_valid(uv)`, all is done again from a coarser one. `optimize` returns how
 // it ended.
 template <typename Energy, typename Optimize, typename IsValid>
-Stages_outcome map_by_stages(const Chart& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_region,
+Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_region,
                              const Linear_solver_source& linear_solvers, const Optimize& optimize,
                              const IsValid& is_valid, std::vector<Eigen::Vector2d>& uv)
 {
@@ -98,7 +98,7 @@ Stages_outcome map_by_stages(const Chart& chart, const std::vector<Eigen::Vector
 // A flip-free map of low energy. Coarse stages are solved tightly: the slow modes of charts far from
 // their optimum are global, and every iteration saved at full resolution pays for many there.
 template <typename Energy>
-Stages_outcome hierarchical_map(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                 const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
                                 const std::function<bool(const Newton_state&)>& stop = {})
 {

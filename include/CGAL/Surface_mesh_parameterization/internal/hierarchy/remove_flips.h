@@ -30,7 +30,7 @@ namespace internal {
 // around the flips are collapsed and put back, each where it is as conformal as possible. `points`
 // holds the position of each chart vertex on the surface. False if flips remain; then `uv` is not
 // valid. About linear in the size of the chart.
-inline bool remove_flips(const Chart& chart, const std::vector<Eigen::Vector3d>& points,
+inline bool remove_flips(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                          std::vector<Eigen::Vector2d>& uv)
 {
   Chart_hierarchy hierarchy(chart, points);

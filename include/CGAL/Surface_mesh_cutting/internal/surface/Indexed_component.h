@@ -9,14 +9,14 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_COMPONENT_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_COMPONENT_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_COMPONENT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_COMPONENT_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <algorithm>
 #include <numeric>
@@ -29,9 +29,9 @@ namespace internal {
 
 // A connected component of a mesh as a mesh of its own, without isolated vertices, and the indices
 // that its elements have in the whole. The order of the elements is kept.
-struct Flat_component
+struct Indexed_component
 {
-  Flat_mesh mesh;
+  Indexed_mesh mesh;
   std::vector<int> vertices, edges, faces;
   Topology topology;
 
@@ -53,7 +53,7 @@ struct Flat_component
   }
 
   // Turns indices of the component into indices of the whole.
-  Flat_status in_whole(Flat_status status) const
+  Indexed_status in_whole(Indexed_status status) const
   {
     translate(status.finding);
     for(Finding& warning : status.warnings)
@@ -72,10 +72,10 @@ private:
 
 // The component that consists of `faces`. The last two arrays are work space with an entry for each
 // vertex and halfedge of the whole; their contents do not matter.
-inline Flat_component make_component(const Flat_mesh& whole, std::vector<int> faces,
+inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<int> faces,
                                      std::vector<int>& new_vertex, std::vector<int>& new_halfedge)
 {
-  Flat_component component;
+  Indexed_component component;
   for(int f : faces)
     for(int v : whole.triangles()[f])
       component.vertices.push_back(v);
@@ -104,14 +104,14 @@ inline Flat_component make_component(const Flat_mesh& whole, std::vector<int> fa
         component.edges.push_back(whole.edge(h));
     }
   }
-  component.mesh = Flat_mesh(std::move(points), std::move(triangles), std::move(opposites));
+  component.mesh = Indexed_mesh(std::move(points), std::move(triangles), std::move(opposites));
   component.faces = std::move(faces);
   return component;
 }
 
 // The components in the order of their lowest faces. A connected mesh without isolated vertices is
 // moved. O(n log n).
-inline std::vector<Flat_component> split_into_components(Flat_mesh whole)
+inline std::vector<Indexed_component> split_into_components(Indexed_mesh whole)
 {
   const Connected_parts parts(whole.opposites());
   const std::vector<Topology> topology
@@ -126,11 +126,11 @@ inline std::vector<Flat_component> split_into_components(Flat_mesh whole)
   for(int v = 0; v < whole.number_of_vertices(); ++v)
     has_isolated_vertex = has_isolated_vertex || whole.is_isolated(v);
 
-  std::vector<Flat_component> components;
+  std::vector<Indexed_component> components;
   if(parts.number == 1 && !has_isolated_vertex)
   {
     components.resize(1);
-    Flat_component& c = components.front();
+    Indexed_component& c = components.front();
     c.vertices = identity(whole.number_of_vertices());
     c.edges = identity(whole.number_of_edges());
     c.faces = identity(whole.number_of_faces());
@@ -154,15 +154,15 @@ inline std::vector<Flat_component> split_into_components(Flat_mesh whole)
 
 // Splits along the cut; indices refer to the uncut mesh, so that copies of an element share theirs.
 // O(n log n).
-inline std::vector<Flat_component> split_along(const Flat_mesh& mesh, const Cut& cut)
+inline std::vector<Indexed_component> split_along(const Indexed_mesh& mesh, const Cut& cut)
 {
-  const Chart chart = make_chart(mesh, cut);
+  const Corner_table chart = make_chart(mesh, cut);
   std::vector<Point> points;
   for(int v : chart.origins())
     points.push_back(mesh.point(v));
-  std::vector<Flat_component> components
-    = split_into_components(Flat_mesh(std::move(points), chart.triangles(), chart.opposites()));
-  for(Flat_component& c : components)
+  std::vector<Indexed_component> components
+    = split_into_components(Indexed_mesh(std::move(points), chart.triangles(), chart.opposites()));
+  for(Indexed_component& c : components)
   {
     for(int& v : c.vertices)
       v = chart.origins()[v];
@@ -179,4 +179,4 @@ inline std::vector<Flat_component> split_along(const Flat_mesh& mesh, const Cut&
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_COMPONENT_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_COMPONENT_H

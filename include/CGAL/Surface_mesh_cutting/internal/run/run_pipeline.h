@@ -9,13 +9,13 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_PIPELINE_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_PIPELINE_H
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
@@ -29,7 +29,7 @@
 #include <utility>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/cut_flat_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/cut_indexed_mesh.h>
 #endif
 
 namespace CGAL {
@@ -42,32 +42,32 @@ struct Ignore_result
   void operator()(const Adapter&, const Mesh_result&) const {}
 };
 
-// Translates what a run on the flat mesh found into terms of the caller's mesh.
+// Translates what a run on the indexed mesh found into terms of the caller's mesh.
 template <typename TriangleMesh, typename Adapter>
 void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<TriangleMesh>& result)
 {
   result.components = found.components;
   result.genus = found.genus;
   result.borders = found.borders;
-  result.candidates = found.candidates;
-  result.features = int(found.features.size());
-  result.auxiliary = found.auxiliary;
+  result.number_of_candidates = found.number_of_candidates;
+  result.number_of_features = int(found.features.size());
+  result.number_of_auxiliary_points = found.number_of_auxiliary_points;
   for(int v : found.features)
     result.feature_points.push_back(adapter.to_vertex(v));
   result.bounding_box_diagonal = adapter.to_original_scale(found.diagonal);
   result.cut_length = adapter.to_original_scale(found.length);
   if(found.lower_bound > 0)
   {
-    result.cut_lower_bound = adapter.to_original_scale(found.lower_bound);
-    result.optimal = found.is_optimal;
+    result.lower_bound = adapter.to_original_scale(found.lower_bound);
+    result.is_optimal = found.is_optimal;
   }
-  result.E_iso = found.average_energy;
-  result.E_max = found.maximum_energy;
+  result.average_distortion = found.average_energy;
+  result.largest_face_distortion = found.maximum_energy;
   result.flips = found.flips;
   result.overlaps = found.overlaps;
   result.has_result = found.has_result;
   for(const Trade_off& t : found.trade_offs)
-    result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), t.E_iso});
+    result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), t.average_distortion});
 }
 
 // What becomes of a result: it is written to the caller's property maps.
@@ -77,33 +77,27 @@ using Write = std::function<void(const Adapter&, const Mesh_result&)>;
 // Runs the method and translates what it finds. The same for all named parameters. The map is proven for UVs held
 // as `UV`.
 template <typename ConcurrencyTag, typename UV, typename TriangleMesh, typename Adapter>
-void run_adapted(const Adapter& adapter, Goal goal, const Write<Adapter>& write, const Cutting_constraints& constraints,
-                 const Request& request, Run_control& control, Phase_clock& clock, Flat_status status,
-                 Unwrap_result<TriangleMesh>& result)
+Indexed_status run_method(const Adapter& adapter, Output_kind output, const Write<Adapter>& write,
+                          const Cutting_constraints& constraints, const Context& context,
+                          Unwrap_result<TriangleMesh>& result)
 {
-  if(status)
-  {
-    const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
-    const Mesh_result found
-      = cut_flat_mesh<ConcurrencyTag>(adapter.mesh(), goal, round, constraints, request, control, clock);
-    status.finding = found.status.finding;
-    status.warnings.insert(status.warnings.end(), found.status.warnings.begin(), found.status.warnings.end());
-    translate(found, adapter, result);
-    if(found.has_result)
-      write(adapter, found);
-    if(control.is_stopped())
-      status.finding = stopped_status().finding; // whatever else was found may come from that
-  }
-  result.status = adapter.translate(status);
-  result.seconds = clock.wall();
-  result.cpu_seconds = clock.cpu();
+  const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
+  const Mesh_result found = cut_indexed_mesh<ConcurrencyTag>(adapter.mesh(), output, round, constraints, context);
+  translate(found, adapter, result);
+  if(found.has_result)
+    write(adapter, found);
+  Indexed_status status = found.status;
+  if(context.control.is_stopped())
+    status.finding = stopped_status().finding; // whatever else was found may come from that
+  return status;
 }
 
 // The common part of the calls that run the method: reads the mesh and the named parameters, checks them, runs, lets
 // `write(adapter, found)` hand out the result if there is one, and reports.
 template <typename ConcurrencyTag, typename UV = Eigen::Vector2d, typename TriangleMesh, typename WriteResult,
           typename NamedParameters>
-Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, WriteResult write, const NamedParameters& np)
+Unwrap_result<TriangleMesh> run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write,
+                                         const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -119,18 +113,26 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, WriteResul
   typedef Mesh_adapter<TriangleMesh, Vertex_point_map> Adapter;
   const Adapter adapter(tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                                                 get_const_property_map(CGAL::vertex_point, tmesh)));
-  Request request = read_request(np);
-  request.parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
+  Cutting_parameters parameters = read_cutting_parameters(np);
+  parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
     choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()));
 
-  Flat_status status = adapter.status();
+  Indexed_status status = adapter.status();
   if(status)
-    status.finding = check_parameters(request.parameters).finding;
+    status.finding = check_parameters(parameters).finding;
   Cutting_constraints constraints;
   if(status)
     status.finding = read_constraints(adapter, np, constraints).finding;
-  run_adapted<ConcurrencyTag, UV, TriangleMesh, Adapter>(adapter, goal, write, constraints, request, control, clock,
-                                                         std::move(status), result);
+  if(status)
+  {
+    const Indexed_status found = run_method<ConcurrencyTag, UV, TriangleMesh, Adapter>(
+      adapter, output, write, constraints, Context{parameters, control, clock}, result);
+    status.finding = found.finding;
+    status.warnings.insert(status.warnings.end(), found.warnings.begin(), found.warnings.end());
+  }
+  result.status = adapter.translate(status);
+  result.seconds = clock.wall();
+  result.cpu_seconds = clock.cpu();
   return result;
 }
 
@@ -138,4 +140,4 @@ Unwrap_result<TriangleMesh> run(const TriangleMesh& tmesh, Goal goal, WriteResul
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_PIPELINE_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CHECK_MESH_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CHECK_MESH_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CHECK_MESH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CHECK_MESH_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/mesh_checks.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/mesh_warnings.h>
 
@@ -25,18 +25,18 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE Flat_status check_mesh(const Flat_mesh& mesh)
+CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh)
 {
   std::vector<int> found = vertices_with_several_fans(mesh);
   if(!found.empty())
-    return Flat_status(Status_code::NON_MANIFOLD, "vertices whose faces form more than one fan",
+    return Indexed_status(Status_code::NON_MANIFOLD, "vertices whose faces form more than one fan",
                        Element_kind::VERTEX, std::move(found));
   found = faces_given_twice(mesh);
   if(!found.empty())
-    return Flat_status(Status_code::NON_MANIFOLD, "faces given twice",
+    return Indexed_status(Status_code::NON_MANIFOLD, "faces given twice",
                        Element_kind::FACE, std::move(found));
 
-  Flat_status status;
+  Indexed_status status;
   status.warnings = mesh_warnings(mesh);
   return status;
 }
@@ -45,4 +45,4 @@ CGAL_SURFACE_MESH_CUTTING_INLINE Flat_status check_mesh(const Flat_mesh& mesh)
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CHECK_MESH_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CHECK_MESH_H

@@ -11,7 +11,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/cut_through_points.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/connect_indexed_points.h>
 
 #include <CGAL/tags.h>
 
@@ -19,11 +19,11 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-template Connected_cut cut_through_points<Sequential_tag>(
-  const Flat_mesh&, Edge_constraints, const std::vector<int>&, const Request&, const std::function<bool()>&);
+template Connected_cut connect_indexed_points<Sequential_tag>(
+  const Indexed_mesh&, Edge_constraints, const std::vector<int>&, const Cutting_parameters&, const std::function<bool()>&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Connected_cut cut_through_points<Parallel_tag>(
-  const Flat_mesh&, Edge_constraints, const std::vector<int>&, const Request&, const std::function<bool()>&);
+template Connected_cut connect_indexed_points<Parallel_tag>(
+  const Indexed_mesh&, Edge_constraints, const std::vector<int>&, const Cutting_parameters&, const std::function<bool()>&);
 #endif
 
 } // namespace internal

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_FLAT_DISTORTION_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_FLAT_DISTORTION_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_FACE_ENERGIES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_FACE_ENERGIES_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
@@ -113,4 +113,4 @@ inline std::vector<double> vertex_averages(const std::vector<Rest_shape>& shapes
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_FLAT_DISTORTION_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_FACE_ENERGIES_H

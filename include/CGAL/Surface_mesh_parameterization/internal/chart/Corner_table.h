@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CHART_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CHART_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CORNER_TABLE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CORNER_TABLE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -32,13 +32,13 @@ inline int previous_halfedge(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 // A piece of surface that was cut open: triangles over chart vertices, and for each halfedge the
 // one across the edge, or -1 on the chart's border. The corners of a chart vertex always form one
 // fan; where a cut separates the corners of a surface vertex, it has several chart vertices.
-class Chart
+class Corner_table
 {
 public:
-  Chart() = default;
+  Corner_table() = default;
 
   // `open()` keeps all of this up to date. `opposites` has three entries per triangle.
-  Chart(std::vector<Triangle> triangles, std::vector<int> opposites, int number_of_vertices)
+  Corner_table(std::vector<Triangle> triangles, std::vector<int> opposites, int number_of_vertices)
     : m_triangles(std::move(triangles)), m_opposites(std::move(opposites)),
       m_origins(number_of_vertices)
   {
@@ -204,4 +204,4 @@ private:
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CHART_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CORNER_TABLE_H

@@ -9,23 +9,23 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CERTIFY_FLAT_MAP_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CERTIFY_FLAT_MAP_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CERTIFY_INDEXED_MAP_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CERTIFY_INDEXED_MAP_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/result/check_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
 CGAL_SURFACE_MESH_CUTTING_INLINE
-Flat_status certify_flat_map(const Chart& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective)
+Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective)
 {
-  const Flat_status disks = check_disks(chart);
+  const Indexed_status disks = check_disks(chart);
   return disks ? certify_corners(chart, corner_uv, do_bijective).status() : disks;
 }
 
@@ -33,4 +33,4 @@ Flat_status certify_flat_map(const Chart& chart, const std::vector<Eigen::Vector
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CERTIFY_FLAT_MAP_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CERTIFY_INDEXED_MAP_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_CONNECT_IN_CHART_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_CONNECT_IN_CHART_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_CONNECT_TERMINALS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_CONNECT_TERMINALS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
@@ -35,7 +35,7 @@ namespace internal {
 
 // Connects the borders and the terminals in each part of an opened surface by a Steiner tree in
 // its contracted graph: each border is one terminal. If the parts have genus 0, they become disks.
-class Chart_connector
+class Terminal_connector
 {
   using Options = CGAL::internal::Steiner_tree::Options;
   using Outcome = CGAL::internal::Steiner_tree::Outcome;
@@ -50,7 +50,7 @@ class Chart_connector
   };
 
 public:
-  Chart_connector(const Flat_mesh& mesh, const Edge_constraints& constraints)
+  Terminal_connector(const Indexed_mesh& mesh, const Edge_constraints& constraints)
     : m_mesh(mesh), m_constraints(constraints), m_chart(make_chart(mesh, constraints.mandatory)),
       m_connected(m_chart.opposites()), m_topologies(topologies(m_chart, m_connected)),
       m_surface(m_chart, [&](int h) { return constraints.weights[mesh.edge(h)]; }),
@@ -86,15 +86,15 @@ public:
 private:
   int halfedge(int e) const { return m_surface.halfedges[e]; }
 
-  Flat_status check_terminals(const std::vector<int>& terminals) const
+  Indexed_status check_terminals(const std::vector<int>& terminals) const
   {
     std::vector<int> isolated;
     for(int v : terminals)
       if(m_mesh.is_isolated(v))
         isolated.push_back(v);
     if(isolated.empty())
-      return Flat_status();
-    return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
+      return Indexed_status();
+    return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
                        Element_kind::VERTEX, std::move(isolated));
   }
 
@@ -139,11 +139,11 @@ private:
     return parts;
   }
 
-  Flat_status check_part(const Part& part, int index) const
+  Indexed_status check_part(const Part& part, int index) const
   {
     CGAL_assertion(m_topologies[index].genus() == 0); // handles are cut first
     if(part.is_closed && part.terminals.size() < 2)
-      return Flat_status(Status_code::WRONG_PARAMETER,
+      return Indexed_status(Status_code::WRONG_PARAMETER,
                          "a closed part in which less than two vertices are to be connected",
                          Element_kind::FACE, faces(index));
     // What is allowed is connected, as it leaves only disks; only vertices inside those are not on
@@ -154,8 +154,8 @@ private:
         if(part.graph.degree(t) == 0)
           enclosed.push_back(vertex(part.nodes[t]));
     if(enclosed.empty())
-      return Flat_status();
-    return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS,
+      return Indexed_status();
+    return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                        "vertices that only edges that must not be cut lead to",
                        Element_kind::VERTEX, std::move(enclosed));
   }
@@ -179,10 +179,10 @@ private:
   void add_tree(const Part& part, const CGAL::internal::Steiner_tree::Solution& solution)
   {
     if(solution.outcome == Outcome::budget_exceeded && solution.tree.edges.empty())
-      m_result.status = Flat_status(Status_code::WRONG_PARAMETER,
+      m_result.status = Indexed_status(Status_code::WRONG_PARAMETER,
                                     "maximum_number_of_states is too small for the method");
     else if(solution.outcome == Outcome::cancelled && m_result.status)
-      m_result.status = Flat_status(Status_code::STOPPED, "stopped while connecting");
+      m_result.status = Indexed_status(Status_code::STOPPED, "stopped while connecting");
     std::vector<int> halfedges;
     for(int e : solution.tree.edges)
       halfedges.push_back(halfedge(part.edges[e]));
@@ -221,7 +221,7 @@ private:
             best = h;
       if(best < 0 || m_constraints.is_forbidden(m_mesh.edge(best)))
       {
-        m_result.status = Flat_status(Status_code::INFEASIBLE_CONSTRAINTS,
+        m_result.status = Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                                       "edges that must not be cut leave a border of two edges",
                                       Element_kind::FACE, {loop.front() / 3});
         return;
@@ -231,9 +231,9 @@ private:
     }
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
-  Chart m_chart;
+  Corner_table m_chart;
   const Connected_parts m_connected;
   const std::vector<Topology> m_topologies;
   const Contracted_surface m_surface;
@@ -245,16 +245,16 @@ private:
 // and all given vertices; a closed part needs two vertices. A part that is a disk without vertices
 // to connect stays as it is.
 template <typename ConcurrencyTag, typename GoFurther>
-Connected_cut connect_in_chart(const Flat_mesh& mesh, const Edge_constraints& constraints,
+Connected_cut connect_terminals(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                const std::vector<int>& terminals,
                                const CGAL::internal::Steiner_tree::Options& options,
                                GoFurther go_further)
 {
-  return Chart_connector(mesh, constraints).connect<ConcurrencyTag>(terminals, options, go_further);
+  return Terminal_connector(mesh, constraints).connect<ConcurrencyTag>(terminals, options, go_further);
 }
 
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_CONNECT_IN_CHART_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_CONNECT_TERMINALS_H

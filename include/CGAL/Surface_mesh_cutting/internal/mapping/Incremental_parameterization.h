@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_RUNNING_MAP_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_RUNNING_MAP_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_INCREMENTAL_PARAMETERIZATION_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_INCREMENTAL_PARAMETERIZATION_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -41,14 +41,14 @@ using Surface_mesh_parameterization::internal::hopeless_energy;
 
 // The isometric map that accompanies a growing cut. Opening a slit splits vertices in place: the map
 // stays flip-free and keeps its energy, so that every solve starts warm.
-class Running_map
+class Incremental_parameterization
 {
 public:
-  // Also aborts once `is_vain()`; call `restore()` afterwards.
-  Running_map(const Flat_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
-              Run_control& control, std::function<bool()> is_vain = [] { return false; })
+  // Also aborts once `is_cancelled()`; call `restore()` afterwards.
+  Incremental_parameterization(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
+              Run_control& control, std::function<bool()> is_cancelled = [] { return false; })
     : m_mesh(mesh), m_shapes(shapes), m_policy(policy), m_weights(area_weights(shapes)), m_control(control),
-      m_is_vain(std::move(is_vain)), m_window(mesh)
+      m_is_cancelled(std::move(is_cancelled)), m_window(mesh)
   {}
 
   // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
@@ -87,7 +87,7 @@ public:
   }
 
   const Cut& cut() const { return m_state.cut; }
-  const Chart& chart() const { return m_state.chart; }
+  const Corner_table& chart() const { return m_state.chart; }
   const std::vector<Eigen::Vector2d>& uv() const { return m_state.uv; }
   double energy() const { return m_state.energy; }
 
@@ -199,24 +199,24 @@ public:
   }
 
   // How far each surface vertex's copies lie from the first of them in the plane; 0 inside.
-  std::vector<double> gaps() const
+  std::vector<double> seam_openings() const
   {
     std::vector<int> first(m_mesh.number_of_vertices(), -1);
-    std::vector<double> gaps(m_mesh.number_of_vertices(), 0);
+    std::vector<double> seam_openings(m_mesh.number_of_vertices(), 0);
     for(int c = 0; c < m_state.chart.number_of_vertices(); ++c)
     {
       const int v = m_state.chart.origins()[c];
       if(first[v] < 0)
         first[v] = c;
       else
-        gaps[v] = (std::max)(gaps[v], (m_state.uv[c] - m_state.uv[first[v]]).norm());
+        seam_openings[v] = (std::max)(seam_openings[v], (m_state.uv[c] - m_state.uv[first[v]]).norm());
     }
-    return gaps;
+    return seam_openings;
   }
 
 private:
-  bool go_further() { return !m_is_vain() && m_control.go_further(); }
-  bool is_stopped() const { return m_is_vain() || m_control.is_stopped(); }
+  bool go_further() { return !m_is_cancelled() && m_control.go_further(); }
+  bool is_stopped() const { return m_is_cancelled() || m_control.is_stopped(); }
 
   void take_energy(const Newton_result& result)
   {
@@ -228,7 +228,7 @@ private:
   // A slit that was opened and may be closed again.
   struct Trial
   {
-    Chart::Opening opening;
+    Corner_table::Opening opening;
     std::vector<Eigen::Vector2d> former_uv;
   };
 
@@ -332,12 +332,12 @@ private:
     return before - result.energy;
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const std::vector<Rest_shape>& m_shapes;
   Mapping_policy m_policy;
   std::vector<double> m_weights;
   Run_control& m_control;
-  std::function<bool()> m_is_vain;
+  std::function<bool()> m_is_cancelled;
   Open_chart m_state;
   Local_window m_window; // in work
   double m_hopeless_solved_faces = 0;
@@ -347,4 +347,4 @@ private:
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_RUNNING_MAP_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_INCREMENTAL_PARAMETERIZATION_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_MESH_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_MESH_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_MESH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_MESH_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using Surface_mesh_parameterization::internal::Chart;
+using Surface_mesh_parameterization::internal::Corner_table;
 using Surface_mesh_parameterization::internal::Triangle;
 using Surface_mesh_parameterization::internal::next_halfedge;
 using Surface_mesh_parameterization::internal::previous_halfedge;
@@ -40,13 +40,13 @@ using Point = Eigen::Vector3d;
 
 // A triangle mesh in index arrays. Halfedge 3f+k leads from corner k of face f to corner k+1.
 // Its vertices and edges are a graph in compressed rows, weighted by length.
-class Flat_mesh
+class Indexed_mesh
 {
 public:
-  Flat_mesh() = default;
+  Indexed_mesh() = default;
 
   // `opposites` holds, for each halfedge, the one across the edge, or -1 on a border. O(n).
-  Flat_mesh(std::vector<Point> points, std::vector<Triangle> triangles, std::vector<int> opposites)
+  Indexed_mesh(std::vector<Point> points, std::vector<Triangle> triangles, std::vector<int> opposites)
     : m_points(std::move(points)), m_triangles(std::move(triangles)),
       m_opposites(std::move(opposites))
   {
@@ -121,4 +121,4 @@ private:
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_MESH_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_MESH_H

@@ -9,29 +9,30 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_THROUGH_POINTS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_THROUGH_POINTS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CONNECT_INDEXED_POINTS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CONNECT_INDEXED_POINTS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/connection/connect_in_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/keep_one_island.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/restrict_to_feasible_component.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
 template <typename ConcurrencyTag>
-Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constraints, const std::vector<int>& terminals,
-                                 const Request& request, const std::function<bool()>& go_further)
+Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
+                                     const std::vector<int>& terminals, const Cutting_parameters& parameters,
+                                     const std::function<bool()>& go_further)
 {
   Connected_cut result;
   result.status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
   if(result.status)
-    result.status = keep_one_island_per_part(mesh, terminals, constraints);
+    result.status = restrict_to_feasible_components(mesh, terminals, constraints);
   if(!result.status)
     return result;
   const Handle_loops handles = cut_handles_of_components(mesh, constraints, go_further);
@@ -39,18 +40,17 @@ Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constra
   if(!result.status)
     return result;
   constraints.mandatory = handles.cut;
-  CGAL::internal::Steiner_tree::Options options = request.parameters.connection;
-  options.minimum_length_decrease
-    = request.parameters.minimum_length_decrease * bounding_box_diagonal(mesh);
-  result = connect_in_chart<ConcurrencyTag>(mesh, constraints, terminals, options, go_further);
+  CGAL::internal::Steiner_tree::Options options = parameters.connection;
+  options.minimum_length_decrease = parameters.minimum_length_decrease * bounding_box_diagonal(mesh);
+  result = connect_terminals<ConcurrencyTag>(mesh, constraints, terminals, options, go_further);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(constraints.mandatory[e])
     {
       result.weight += constraints.weights[e];
       result.lower_bound += constraints.weights[e];
     }
-  if(result.status && request.needs_optimal_tree && !result.is_optimal)
-    result.status = Flat_status(Status_code::BOUND_NOT_REACHED,
+  if(result.status && parameters.needs_optimal_tree && !result.is_optimal)
+    result.status = Indexed_status(Status_code::BOUND_NOT_REACHED,
                                 "the connection is not proven to be the shortest one");
   return result;
 }
@@ -59,4 +59,4 @@ Connected_cut cut_through_points(const Flat_mesh& mesh, Edge_constraints constra
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_CUT_THROUGH_POINTS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_CONNECT_INDEXED_POINTS_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_STATUS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_STATUS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_STATUS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_STATUS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -27,7 +27,7 @@ namespace internal {
 // The kind of element that the indices of a finding name.
 enum class Element_kind { NONE, VERTEX, EDGE, FACE };
 
-// What happened and where, in indices of the flat arrays. The public `Status` translates the
+// What happened and where, in indices of the index arrays. The public `Status` translates the
 // indices into descriptors of the caller's mesh.
 struct Finding
 {
@@ -37,13 +37,13 @@ struct Finding
   std::vector<int> indices;
 };
 
-struct Flat_status
+struct Indexed_status
 {
   Finding finding;
   std::vector<Finding> warnings;
 
-  Flat_status() = default;
-  Flat_status(Status_code code, std::string message,
+  Indexed_status() = default;
+  Indexed_status(Status_code code, std::string message,
               Element_kind kind = Element_kind::NONE, std::vector<int> indices = {})
     : finding{code, std::move(message), kind, std::move(indices)}
   {}
@@ -56,18 +56,18 @@ struct Flat_status
   explicit operator bool() const { return finding.code == Status_code::OK; }
 };
 
-inline Flat_status stopped_status()
+inline Indexed_status stopped_status()
 {
-  return Flat_status(Status_code::STOPPED, "the visitor or the time limit ended the run");
+  return Indexed_status(Status_code::STOPPED, "the visitor or the time limit ended the run");
 }
 
-inline Flat_status bound_missed()
+inline Indexed_status bound_missed()
 {
-  return Flat_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map keeps the maximum distortion");
+  return Indexed_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map keeps the maximum distortion");
 }
 
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_FLAT_STATUS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_INDEXED_STATUS_H

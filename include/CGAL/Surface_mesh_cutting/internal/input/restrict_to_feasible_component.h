@@ -9,16 +9,16 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_KEEP_ONE_ISLAND_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_KEEP_ONE_ISLAND_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_RESTRICT_TO_FEASIBLE_COMPONENT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_RESTRICT_TO_FEASIBLE_COMPONENT_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Flat_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 
@@ -40,7 +40,7 @@ namespace internal {
 class Islands
 {
 public:
-  Islands(const Flat_mesh& mesh, const Edge_constraints& constraints)
+  Islands(const Indexed_mesh& mesh, const Edge_constraints& constraints)
     : m_mesh(mesh), m_constraints(constraints),
       m_surface(make_chart(mesh, Cut(mesh.number_of_edges(), 0)),
                 [&](int h) { return constraints.weights[mesh.edge(h)]; }),
@@ -95,7 +95,7 @@ private:
     return !m_constraints.is_forbidden(m_mesh.edge(m_surface.halfedges[e]));
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
   const Contracted_surface m_surface;
   std::vector<int> m_island;         // per node, the one that stands for its island
@@ -104,7 +104,7 @@ private:
 
 // Forbids all edges but those of one island on which a connected surface can be cut to a disk with
 // all terminals on its border. O(n); more only for closed surfaces with handles and many islands.
-inline Flat_status keep_one_island(const Flat_mesh& mesh, const Topology& topology,
+inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, const Topology& topology,
                                    const std::vector<int>& terminals, Edge_constraints& constraints)
 {
   std::vector<int> forbidden;
@@ -112,7 +112,7 @@ inline Flat_status keep_one_island(const Flat_mesh& mesh, const Topology& topolo
     if(!mesh.is_border_edge(e) && constraints.is_forbidden(e))
       forbidden.push_back(e);
   if(forbidden.empty())
-    return Flat_status();
+    return Indexed_status();
 
   const Islands islands(mesh, constraints);
   const bool is_closed = topology.border_loops == 0;
@@ -129,7 +129,7 @@ inline Flat_status keep_one_island(const Flat_mesh& mesh, const Topology& topolo
     if(islands.of_vertex(v) != choices.front() || (is_closed && !islands.holds_path(choices.front())))
       enclosed.push_back(v);
   if(!enclosed.empty())
-    return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS,
+    return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                        "vertices that only edges that must not be cut lead to",
                        Element_kind::VERTEX, std::move(enclosed));
   for(int island : choices)
@@ -138,20 +138,20 @@ inline Flat_status keep_one_island(const Flat_mesh& mesh, const Topology& topolo
     if(check_disks_can_be_reached(mesh, restricted))
     {
       constraints = std::move(restricted);
-      return Flat_status();
+      return Indexed_status();
     }
   }
-  const Flat_status status = check_disks_can_be_reached(mesh, constraints);
+  const Indexed_status status = check_disks_can_be_reached(mesh, constraints);
   if(!status)
     return status;
-  return Flat_status(Status_code::INFEASIBLE_CONSTRAINTS,
+  return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                      "edges that must not be cut leave less than two edges in a row",
                      Element_kind::EDGE, std::move(forbidden));
 }
 
 // The vertices of a component that are terminals of the whole (in increasing order), but those that its
 // border connects already.
-inline std::vector<int> inner_terminals(const Flat_component& component, const std::vector<int>& terminals)
+inline std::vector<int> inner_terminals(const Indexed_component& component, const std::vector<int>& terminals)
 {
   const std::vector<char> is_open
     = open_vertices(component.mesh, Cut(component.mesh.number_of_edges(), 0));
@@ -162,16 +162,16 @@ inline std::vector<int> inner_terminals(const Flat_component& component, const s
   return inner;
 }
 
-// The same as `keep_one_island()` for each part that the mandatory edges leave.
-inline Flat_status keep_one_island_per_part(const Flat_mesh& mesh, std::vector<int> terminals,
+// The same as `restrict_to_feasible_component()` for each part that the mandatory edges leave.
+inline Indexed_status restrict_to_feasible_components(const Indexed_mesh& mesh, std::vector<int> terminals,
                                             Edge_constraints& constraints)
 {
   std::sort(terminals.begin(), terminals.end());
-  for(const Flat_component& component : split_along(mesh, constraints.mandatory))
+  for(const Indexed_component& component : split_along(mesh, constraints.mandatory))
   {
     Edge_constraints part = restriction(constraints, component);
     part.mandatory.assign(component.edges.size(), 0); // it is on the border
-    const Flat_status status = keep_one_island(component.mesh, component.topology,
+    const Indexed_status status = restrict_to_feasible_component(component.mesh, component.topology,
                                                inner_terminals(component, terminals), part);
     if(!status)
       return component.in_whole(status);
@@ -179,11 +179,11 @@ inline Flat_status keep_one_island_per_part(const Flat_mesh& mesh, std::vector<i
       if(!component.mesh.is_border_edge(e))
         constraints.weights[component.edges[e]] = part.weights[e];
   }
-  return Flat_status();
+  return Indexed_status();
 }
 
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_KEEP_ONE_ISLAND_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_RESTRICT_TO_FEASIBLE_COMPONENT_H

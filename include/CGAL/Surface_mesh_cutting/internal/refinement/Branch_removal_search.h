@@ -9,14 +9,14 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_CLOSING_SEARCH_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_CLOSING_SEARCH_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_BRANCH_REMOVAL_SEARCH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_BRANCH_REMOVAL_SEARCH_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Leaf_branches.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/Running_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +29,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // A branch of a cut, or its outer part, to be closed again.
-struct Closing
+struct Branch_removal
 {
   int tip = -1;
   int new_tip = -1; // where the branch ends then, if it does not vanish
@@ -38,30 +38,30 @@ struct Closing
 };
 
 // Looks for the part of a cut that contributes least for its length. What closing a part costs is known
-// where it was tried. Elsewhere it grows with the square of the gap that has to vanish, so that the outer
+// where it was tried. Elsewhere it grows with the square of the opening that has to vanish, so that the outer
 // half of a branch costs about a quarter of what all of it does.
-class Closing_search
+class Branch_removal_search
 {
   static constexpr double cost_of_half = 0.25; // relative
 
 public:
-  Closing_search(const Flat_mesh& mesh, const Edge_constraints& constraints)
+  Branch_removal_search(const Indexed_mesh& mesh, const Edge_constraints& constraints)
     : m_mesh(mesh), m_constraints(constraints)
   {}
 
   // Among what may cost at most `allowed_cost(length)`, the longest part of known cost, otherwise the one with
-  // the smallest gap per length. The tip is -1 if there is none. Branches end at `features`, if not before;
+  // the smallest opening per length. The tip is -1 if there is none. Branches end at `features`, if not before;
   // those with the tip at a vertex with `is_kept` stay.
   template <typename AllowedCost>
-  Closing best(const Running_map& map, const std::vector<int>& features,
+  Branch_removal best(const Incremental_parameterization& map, const std::vector<int>& features,
                const std::vector<char>& is_kept, AllowedCost allowed_cost) const
   {
     std::vector<char> is_end(m_mesh.number_of_vertices(), 0);
     for(int v : features)
       is_end[v] = 1;
-    const std::vector<double> gaps = map.gaps();
+    const std::vector<double> seam_openings = map.seam_openings();
     const std::size_t open_edges = number_of_open_edges(map.cut());
-    Closing best;
+    Branch_removal best;
     std::pair<double, double> best_rank;
     for(const Leaf_branch& branch : leaf_branches(m_mesh, map.cut(), is_end))
     {
@@ -72,18 +72,18 @@ public:
       {
         if(open_edges < size + 2) // it takes two open edges on a closed surface
           continue;
-        Closing closing = outer_part(branch, size);
-        const auto known = m_costs.find({closing.tip, closing.new_tip});
+        Branch_removal removal = outer_part(branch, size);
+        const auto known = m_costs.find({removal.tip, removal.new_tip});
         if(known != m_costs.end())
           least_cost = known->second;
-        if(!(least_cost < allowed_cost(closing.length)))
+        if(!(least_cost < allowed_cost(removal.length)))
           continue;
         const std::pair<double, double> rank = known != m_costs.end()
-                                               ? std::make_pair(0., -closing.length)
-                                               : std::make_pair(1., squared_gap(branch, size, gaps) / closing.length);
+                                               ? std::make_pair(0., -removal.length)
+                                               : std::make_pair(1., squared_opening(branch, size, seam_openings) / removal.length);
         if(best.tip < 0 || rank < best_rank)
         {
-          best = std::move(closing);
+          best = std::move(removal);
           best_rank = rank;
         }
         break; // the shorter ones after this one
@@ -93,7 +93,7 @@ public:
   }
 
   // What closing this part costs, in energy.
-  void remember(const Closing& closing, double cost) { m_costs[{closing.tip, closing.new_tip}] = cost; }
+  void remember(const Branch_removal& removal, double cost) { m_costs[{removal.tip, removal.new_tip}] = cost; }
 
 private:
   // Mandatory edges, and what is between them and the rest of the cut, stay.
@@ -103,23 +103,23 @@ private:
            branch.edges.begin();
   }
 
-  Closing outer_part(const Leaf_branch& branch, std::size_t size) const
+  Branch_removal outer_part(const Leaf_branch& branch, std::size_t size) const
   {
-    Closing closing;
-    closing.tip = branch.vertices.front();
+    Branch_removal removal;
+    removal.tip = branch.vertices.front();
     if(size < branch.edges.size())
-      closing.new_tip = branch.vertices[size];
-    closing.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
-    closing.length = total_length(m_mesh, closing.edges);
-    return closing;
+      removal.new_tip = branch.vertices[size];
+    removal.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
+    removal.length = total_length(m_mesh, removal.edges);
+    return removal;
   }
 
-  static double squared_gap(const Leaf_branch& branch, std::size_t size, const std::vector<double>& gaps)
+  static double squared_opening(const Leaf_branch& branch, std::size_t size, const std::vector<double>& seam_openings)
   {
-    double gap = 0;
+    double opening = 0;
     for(std::size_t i = 0; i < size; ++i)
-      gap = (std::max)(gap, gaps[branch.vertices[i]]);
-    return gap * gap;
+      opening = (std::max)(opening, seam_openings[branch.vertices[i]]);
+    return opening * opening;
   }
 
   std::size_t number_of_open_edges(const Cut& cut) const
@@ -130,7 +130,7 @@ private:
     return count;
   }
 
-  const Flat_mesh& m_mesh;
+  const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
   std::map<std::pair<int, int>, double> m_costs; // by former and new tip
 };
@@ -139,4 +139,4 @@ private:
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_CLOSING_SEARCH_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_BRANCH_REMOVAL_SEARCH_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_VISIBILITIES_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_VISIBILITIES_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_VISIBILITIES_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_VISIBILITIES_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Visibility.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
@@ -26,7 +26,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 template <typename ConcurrencyTag>
-std::optional<std::vector<double> > visibilities(const Flat_mesh& mesh, int number_of_rays, unsigned int random_seed,
+std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, int number_of_rays, unsigned int random_seed,
                                                  Run_control& control)
 {
   constexpr int edges_per_question = 16; // well below a millisecond for each thread
@@ -47,4 +47,4 @@ std::optional<std::vector<double> > visibilities(const Flat_mesh& mesh, int numb
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_FLAT_FUNCTIONS_VISIBILITIES_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_VISIBILITIES_H

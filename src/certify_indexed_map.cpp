@@ -11,4 +11,4 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/flat_functions/certify_flat_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_map.h>

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/library.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The large functions on index arrays, which do not depend on the caller's mesh: what the public functions call, and what
+// the compiled library holds. The folder indexed_functions/ defines them, one header each; without the library, a public
+// function includes the one that it calls.
+
+// Refuses a mesh whose halfedges fit together but that is not manifold; warns of what is unusual.
+CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh);
+
+// Runs the method. `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
+template <typename ConcurrencyTag>
+Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
+                             const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
+                             const Cutting_constraints& constraints, const Context& context);
+
+// Cuts the handles and then connects borders and terminals. The weight and its bound include those
+// of the mandatory edges.
+template <typename ConcurrencyTag>
+Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
+                                     const std::vector<int>& terminals, const Cutting_parameters& parameters,
+                                     const std::function<bool()>& go_further);
+
+// Whether a chart consists of disks, and a map given by its corners is proven to be valid.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective);
+
+// The visibility of each edge, unless `control` ends the run. O(n k log n) for k rays on most surfaces.
+template <typename ConcurrencyTag>
+std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, int number_of_rays, unsigned int random_seed,
+                                                 Run_control& control);
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_H
