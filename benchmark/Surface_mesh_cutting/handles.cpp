@@ -10,7 +10,7 @@
 #include "mesh_files.h"
 
 #include <CGAL/Surface_mesh_cutting/cut_handles.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Real_timer.h>

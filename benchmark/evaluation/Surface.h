@@ -4,7 +4,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Topology.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 
 #include <string>

@@ -1,5 +1,6 @@
 // Surfaces that can hardly be mapped: a run ends after a bounded number of steps, whether it finds a map or not.
 
+#include "checks.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -15,18 +16,9 @@
 #include <string>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 using SMC::Status_code;
 using Mesh = test::Surface_mesh;
-
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // Counts steps, and ends what takes too many.
 struct Counting_visitor : public SMC::Default_visitor
@@ -74,5 +66,5 @@ int main()
   test_rounded("blobby.off", 30, 20000);
   // All solves that refinement may do on useful maps take 14,000.
   test_rounded("camel.off", 100, 10000);
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

@@ -1,6 +1,7 @@
 // What callers say about edges and vertices: edges that must or must not be cut, weights, vertices that
 // the cut has to pass through, and what cannot be satisfied.
 
+#include "checks.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -20,18 +21,9 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 using SMC::Status_code;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
-
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // A mesh and all that can be said about it.
 template <typename Mesh>
@@ -319,5 +311,5 @@ int main()
   test_terminals();
   test_weights();
   test_neutral_constraints();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

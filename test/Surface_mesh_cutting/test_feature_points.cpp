@@ -1,6 +1,7 @@
 // The steps of feature point detection against brute force, the early decisions of the filtering against
 // full convergence, and the filtering with several threads against that with one.
 
+#include "checks.h"
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/Greedy_filter.h>
@@ -21,17 +22,8 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting::internal;
+using test::check;
 namespace SMP = CGAL::Surface_mesh_parameterization::internal;
-
-int failures = 0;
-
-void check(bool condition, const char* what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 void test_maximizers(CGAL::Random& random)
 {
@@ -254,5 +246,5 @@ int main(int argc, char** argv)
   for(int i = 0; i < 12; ++i)
     test_speculation(i % 2 == 0, random, decisions);
   std::cout << decisions << " decisions with several threads" << std::endl;
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

@@ -1,6 +1,7 @@
 // UVs in maps that hold fewer digits than the library computes with, and of triangles that it maps as if they were
 // thicker: what is promised holds for what can be read back from the map.
 
+#include "checks.h"
 #include "held_map.h"
 #include "test_meshes.h"
 
@@ -20,18 +21,9 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 using SMC::Status_code;
 using Mesh = test::Surface_mesh;
-
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // Keeps as many bits of each coordinate as a `half` number.
 class Coarse_point
@@ -172,5 +164,5 @@ int main()
 {
   test_value_types();
   test_thin_triangles();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

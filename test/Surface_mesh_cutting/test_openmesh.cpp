@@ -1,5 +1,6 @@
 // The method on meshes of OpenMesh, with constraints and with removed elements, which stay as they are.
 
+#include "checks.h"
 #include "test_meshes.h"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
@@ -16,17 +17,8 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
-
-int failures = 0;
-
-void check(bool condition, const char* what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // The faces from `first_removed` on are removed, with the vertices and edges that only they use.
 template <typename Mesh>
@@ -104,5 +96,5 @@ int main()
   soup.add(test::patch(3, 3));
   test_mesh<OpenMesh::TriMesh_ArrayKernelT<Double_traits> >(soup, number_of_faces);
   test_mesh<OpenMesh::PolyMesh_ArrayKernelT<> >(soup, number_of_faces);
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

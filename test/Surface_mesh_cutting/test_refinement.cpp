@@ -2,6 +2,7 @@
 // trade-offs, and what a stopped run leaves. Results are proven by the certificate, energies are
 // measured anew from the UVs.
 
+#include "checks.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -18,21 +19,12 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using CGAL::parameters::effort;
 using SMC::Status_code;
 using Mesh = test::Surface_mesh;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
-
-int failures = 0;
-
-void check(bool condition, const char* what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // A sphere with arms.
 Mesh star(int n)
@@ -217,5 +209,5 @@ int main()
   test_coarser_version();
   test_given_cuts();
   test_stopping();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

@@ -1,6 +1,7 @@
 // The paths that open a surface for the search of candidates (paper, Section 3.1.1): the one to the farthest vertex,
 // and the second one, in the region far from the first, against a plain implementation.
 
+#include "checks.h"
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
@@ -17,17 +18,8 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting::internal;
+using test::check;
 using test::Indexed_mesh;
-
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // The edges of some faces.
 std::vector<char> edges_of(const Indexed_mesh& mesh, const std::set<int>& faces)
@@ -198,5 +190,5 @@ int main(int argc, char** argv)
     test_paths_in_regions(random);
   for(int i = 0; i < 20; ++i)
     test_whole_area(random);
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

@@ -1,6 +1,7 @@
 // The named parameter `sparse_linear_solver`: the given object solves the systems, its analysis is kept, its
 // failure is reported, and a solver that is lent gives the same for every number of threads.
 
+#include "checks.h"
 #include "test_meshes.h"
 #include "../Surface_mesh_parameterization/Recording_solver.h"
 
@@ -26,20 +27,11 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 using SMC::Status_code;
 using test::Surface_mesh;
 using Matrix = Eigen::SparseMatrix<double>;
 using LLT = Eigen::SimplicialLLT<Matrix>;
-
-int failures = 0;
-
-void check(bool condition, const char* what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // A sphere that is hard to flatten: with three arms.
 test::Soup star(int n)
@@ -192,5 +184,5 @@ int main()
   test_solvers(mesh);
   test_failure(mesh);
   test_threads(soup);
-  return failures;
+  return test::exit_status();
 }

@@ -1,6 +1,7 @@
 // Runs that a visitor stops at any of its calls, or the time limit: they return STOPPED, whatever else they found,
 // and leave the maps untouched or a valid result in them.
 
+#include "checks.h"
 #include "random_surfaces.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -22,19 +23,10 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 using SMC::Status_code;
 using Mesh = test::Surface_mesh;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
-
-int failures = 0;
-
-void check(bool condition, const std::string& what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // Says once that the run has to stop, and would let it go on afterwards.
 struct Stopping_visitor : public SMC::Default_visitor
@@ -336,5 +328,5 @@ int main()
   test_visitors();
   test_time_limit();
   test_whole_area();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

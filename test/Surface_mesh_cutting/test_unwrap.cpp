@@ -1,6 +1,7 @@
 // The whole method on closed surfaces of genus 0 as meshes of all types: valid results, proven by the
 // certificate, the same twice and for every thread count, and typed refusals.
 
+#include "checks.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -25,18 +26,9 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
+using test::check;
 using SMC::Status_code;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
-
-int failures = 0;
-
-void check(bool condition, const char* what)
-{
-  if(condition)
-    return;
-  std::cerr << "failed: " << what << std::endl;
-  ++failures;
-}
 
 // A cut and UVs for any mesh.
 template <typename Mesh>
@@ -318,5 +310,5 @@ int main()
   test_squashed();
   test_methods();
   test_refusals();
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

@@ -10,6 +10,7 @@ import argparse
 import collections
 import os
 import random
+import signal
 import sys
 import tempfile
 import time
@@ -64,6 +65,7 @@ def run_many(arguments):
 
 
 def main():
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # under nohup, programs inherit that it is ignored, and rightly do so
     arguments = parse()
     if arguments.only is not None:
         run_only(arguments)

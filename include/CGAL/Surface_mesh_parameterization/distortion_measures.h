@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -84,9 +85,7 @@ Corners read_corners(const TriangleMesh& tmesh, const NamedParameters& np, ReadU
     typename Graph_traits::halfedge_descriptor h = halfedge(f, tmesh);
     for(int k = 0; k < 3; ++k, h = next(h, tmesh))
     {
-      const auto& p = get(vpm, target(h, tmesh));
-      corners.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                  CGAL::to_double(p.z()));
+      corners.points.push_back(to_vector_3(get(vpm, target(h, tmesh))));
       read_uv(h, corners.uv);
     }
   }
@@ -102,8 +101,7 @@ Corners read_map(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
 
   return read_corners(tmesh, np, [&](halfedge_descriptor h, std::vector<Eigen::Vector2d>& uv)
   {
-    const auto& p = get(halfedge_uv_map, h);
-    uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    uv.push_back(to_vector_2(get(halfedge_uv_map, h)));
   });
 }
 

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/library.h>
 

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Topology.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Greedy_filter.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 
 #include <algorithm>

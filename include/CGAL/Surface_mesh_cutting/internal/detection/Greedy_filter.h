@@ -15,8 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Speculative_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/initial_features.h>
 

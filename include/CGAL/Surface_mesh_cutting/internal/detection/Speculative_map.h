@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/threads.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 
 #include <algorithm>
 #include <atomic>

@@ -14,9 +14,10 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/input/Cutting_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
@@ -46,15 +47,6 @@ struct Candidate
   int vertex;
   double influence_radius;
 };
-
-inline std::vector<Point> chart_points(const Indexed_mesh& mesh, const Corner_table& chart)
-{
-  std::vector<Point> points;
-  points.reserve(chart.number_of_vertices());
-  for(int v : chart.origins())
-    points.push_back(mesh.point(v));
-  return points;
-}
 
 // An as-conformal-as-possible map without flips. False if none was found or the run was stopped.
 inline bool conformal_map(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Corner_table& chart,

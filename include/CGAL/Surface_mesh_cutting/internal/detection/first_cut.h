@@ -29,27 +29,6 @@ namespace internal {
 
 using CGAL::internal::Graph_kernel::Shortest_paths;
 
-inline double average_edge_length(const Indexed_mesh& mesh)
-{
-  double sum = 0;
-  for(double l : mesh.lengths())
-    sum += l;
-  return sum / double(mesh.number_of_edges());
-}
-
-// Of the surface: isolated vertices do not count.
-inline double bounding_box_diagonal(const Indexed_mesh& mesh)
-{
-  Point low = mesh.point(mesh.source(0)), high = low;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    if(!mesh.is_isolated(v))
-    {
-      low = low.cwiseMin(mesh.point(v));
-      high = high.cwiseMax(mesh.point(v));
-    }
-  return (high - low).norm();
-}
-
 // The edges of the graph on which all paths of a region run: those of its triangles.
 inline std::vector<char> edges_of_faces(const Indexed_mesh& mesh, const std::vector<char>& is_in_region)
 {
@@ -119,14 +98,6 @@ inline std::vector<int> path_to_farthest_vertex(const Indexed_mesh& mesh, int st
   paths.path(end, std::back_inserter(edges));
   extend_single_edge(mesh, edges, is_allowed);
   return edges;
-}
-
-inline Cut make_cut(const Indexed_mesh& mesh, const std::vector<int>& edges)
-{
-  Cut cut(mesh.number_of_edges(), 0);
-  for(int e : edges)
-    cut[e] = 1;
-  return cut;
 }
 
 } // namespace internal

@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/detection/Candidate_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
@@ -102,40 +104,18 @@ struct Initial_features
 inline std::vector<int> richest_part(const Indexed_mesh& mesh, const Candidate_disks& disks,
                                      const std::vector<int>& vertices, std::vector<char>& is_in_part)
 {
-  std::vector<int> part(mesh.number_of_faces(), -1), stack;
-  int number_of_parts = 0;
-  for(int f = 0; f < mesh.number_of_faces(); ++f)
-  {
-    if(part[f] >= 0 || disks.is_forbidden(f))
-      continue;
-    part[f] = number_of_parts;
-    stack.assign(1, f);
-    while(!stack.empty())
-    {
-      const int top = stack.back();
-      stack.pop_back();
-      for(int h = 3 * top; h < 3 * top + 3; ++h)
-      {
-        const int o = mesh.opposite(h);
-        if(o >= 0 && part[o / 3] < 0 && !disks.is_forbidden(o / 3))
-        {
-          part[o / 3] = number_of_parts;
-          stack.push_back(o / 3);
-        }
-      }
-    }
-    ++number_of_parts;
-  }
+  const Surface_mesh_parameterization::internal::Connected_parts parts(
+    mesh.opposites(), [&disks](int f) { return disks.is_forbidden(f); });
 
   // A vertex between several parts counts for each.
-  std::vector<std::vector<int> > members(number_of_parts);
+  std::vector<std::vector<int> > members(parts.number);
   for(int v : vertices)
     for(int a = mesh.graph().offsets[v]; a < mesh.graph().offsets[v + 1]; ++a)
     {
       const int h = mesh.halfedge(mesh.graph().arcs[a].edge);
       for(int side : {h, mesh.opposite(h)})
       {
-        const int p = side < 0 ? -1 : part[side / 3];
+        const int p = side < 0 ? -1 : parts.part[side / 3];
         if(p >= 0 && (members[p].empty() || members[p].back() != v))
           members[p].push_back(v);
       }
@@ -146,7 +126,7 @@ inline std::vector<int> richest_part(const Indexed_mesh& mesh, const Candidate_d
   if(richest == members.end())
     return {};
   for(int f = 0; f < mesh.number_of_faces(); ++f)
-    is_in_part[f] = part[f] == richest - members.begin();
+    is_in_part[f] = parts.part[f] == richest - members.begin();
   return *richest;
 }
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Topology.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// A halfedge of a indexed mesh, passed along its direction or against it.
+// A halfedge of an indexed mesh, passed along its direction or against it.
 struct Directed_edge
 {
   int halfedge;

@@ -15,10 +15,10 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/restrict_to_feasible_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

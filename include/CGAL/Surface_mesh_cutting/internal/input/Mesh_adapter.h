@@ -19,10 +19,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -126,10 +126,8 @@ public:
   {
     std::vector<Eigen::Vector2d> uvs(m_mesh.number_of_halfedges());
     for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-    {
-      const auto& uv = get(halfedge_uv_map, m_halfedges[h]);
-      uvs[next_halfedge(h)] = Eigen::Vector2d(CGAL::to_double(uv.x()), CGAL::to_double(uv.y()));
-    }
+      uvs[next_halfedge(h)]
+        = Surface_mesh_parameterization::internal::to_vector_2(get(halfedge_uv_map, m_halfedges[h]));
     return uvs;
   }
 
@@ -138,9 +136,8 @@ public:
   template <typename Point_2>
   Eigen::Vector2d rounded_uv(const Eigen::Vector2d& uv) const
   {
-    const Point_2 p = make_uv<Point_2>(uv);
-    return Surface_mesh_parameterization::internal::scaled(
-      Eigen::Vector2d(CGAL::to_double(p.x()), CGAL::to_double(p.y())), -m_exponent);
+    using namespace Surface_mesh_parameterization::internal;
+    return scaled(to_vector_2(make_uv<Point_2>(uv)), -m_exponent);
   }
 
   // The inverse of `read_uvs()`, for UVs of the vertices of `chart` at the scale of the indexed mesh.
@@ -195,8 +192,7 @@ private:
     std::vector<int> invalid;
     for(vertex_descriptor v : vertices(m_tmesh))
     {
-      const auto& p = get(vpm, v);
-      points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      points.push_back(Surface_mesh_parameterization::internal::to_vector_3(get(vpm, v)));
       if(!points.back().allFinite())
         invalid.push_back(int(m_vertices.size()));
       m_vertices.push_back(v);

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>

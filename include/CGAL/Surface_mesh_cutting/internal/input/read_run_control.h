@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <chrono>

@@ -14,11 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Local_window.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Mapping_policy.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 
@@ -33,9 +33,14 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using Surface_mesh_parameterization::internal::Chart_parameterizer;
+using Surface_mesh_parameterization::internal::Newton_options;
+using Surface_mesh_parameterization::internal::Newton_outcome;
 using Surface_mesh_parameterization::internal::Newton_result;
 using Surface_mesh_parameterization::internal::Newton_solver;
 using Surface_mesh_parameterization::internal::Newton_state;
+using Surface_mesh_parameterization::internal::Rest_shape;
+using Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy;
 using Surface_mesh_parameterization::internal::area_weights;
 using Surface_mesh_parameterization::internal::hopeless_energy;
 

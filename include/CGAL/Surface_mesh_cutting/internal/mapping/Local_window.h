@@ -14,11 +14,12 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <Eigen/Core>
 
@@ -29,6 +30,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Shortest_paths;
 
 // The surroundings of a slit in a chart: the vertices within a radius are free, those around them fixed.
 class Local_window

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/input/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 

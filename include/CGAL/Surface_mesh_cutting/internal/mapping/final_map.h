@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>

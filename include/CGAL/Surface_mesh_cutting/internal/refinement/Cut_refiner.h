@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Context.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 

@@ -14,12 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/run/Component_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/restrict_to_feasible_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/restrict_to_feasible_component.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Component_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
 

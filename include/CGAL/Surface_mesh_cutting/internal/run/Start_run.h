@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/detect_features.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 
 #include <algorithm>

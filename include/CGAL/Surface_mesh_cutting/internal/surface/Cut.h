@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// One entry per edge of a indexed mesh: whether the surface is open there. Borders are open anyway and
+// One entry per edge of an indexed mesh: whether the surface is open there. Borders are open anyway and
 // never marked.
 using Cut = std::vector<char>;
 
@@ -64,12 +64,29 @@ inline std::vector<char> open_vertices(const Indexed_mesh& mesh, const Cut& cut)
   return is_open;
 }
 
+inline Cut make_cut(const Indexed_mesh& mesh, const std::vector<int>& edges)
+{
+  Cut cut(mesh.number_of_edges(), 0);
+  for(int e : edges)
+    cut[e] = 1;
+  return cut;
+}
+
 // The surface opened along the cut; it may consist of several parts. O(n).
 inline Corner_table make_chart(const Indexed_mesh& mesh, const Cut& cut)
 {
   Corner_table chart(mesh.triangles(), mesh.opposites(), mesh.number_of_vertices());
   chart.open(cut_halfedges(mesh, cut));
   return chart;
+}
+
+inline std::vector<Point> chart_points(const Indexed_mesh& mesh, const Corner_table& chart)
+{
+  std::vector<Point> points;
+  points.reserve(chart.number_of_vertices());
+  for(int v : chart.origins())
+    points.push_back(mesh.point(v));
+  return points;
 }
 
 } // namespace internal

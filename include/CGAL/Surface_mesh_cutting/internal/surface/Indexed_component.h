@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/connected_parts.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Topology.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 

@@ -29,12 +29,19 @@ struct Connected_parts
 
   // `opposites` as in `Corner_table`. O(n).
   explicit Connected_parts(const std::vector<int>& opposites)
+    : Connected_parts(opposites, [](int) { return false; })
+  {}
+
+  // The same without some triangles, which belong to part -1.
+  template <typename IsExcluded>
+  Connected_parts(const std::vector<int>& opposites, IsExcluded is_excluded)
     : part(opposites.size() / 3, -1)
   {
     std::vector<int> stack;
+    const auto is_free = [&](int t) { return part[t] < 0 && !is_excluded(t); };
     for(int seed = 0; seed < int(part.size()); ++seed)
     {
-      if(part[seed] >= 0)
+      if(!is_free(seed))
         continue;
       part[seed] = number;
       stack.push_back(seed);
@@ -45,7 +52,7 @@ struct Connected_parts
         for(int h = 3 * t; h < 3 * t + 3; ++h)
         {
           const int o = opposites[h];
-          if(o < 0 || part[o / 3] >= 0)
+          if(o < 0 || !is_free(o / 3))
             continue;
           part[o / 3] = number;
           stack.push_back(o / 3);

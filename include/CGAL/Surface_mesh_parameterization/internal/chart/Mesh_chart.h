@@ -16,12 +16,12 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -81,7 +81,7 @@ public:
       const Point_2 p(static_cast<FT>(uv[v].x()), static_cast<FT>(uv[v].y()));
       put(uvmap, m_vertices[v], p);
       put(vpmap, m_vertices[v], true);
-      uv[v] = Eigen::Vector2d(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+      uv[v] = to_vector_2(p);
     }
     return is_valid(m_chart, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
   }
@@ -168,8 +168,7 @@ private:
     m_points.clear();
     for(vertex_descriptor v : m_vertices)
     {
-      const auto& p = get(vpm, v);
-      m_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      m_points.push_back(to_vector_3(get(vpm, v)));
       if(!m_points.back().allFinite())
         return ERROR_WRONG_PARAMETER;
       low = low.cwiseMin(m_points.back());

@@ -45,16 +45,7 @@ inline Orientation exact_orientation(const Eigen::Vector2d& a, const Eigen::Vect
 inline bool is_counterclockwise(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                                 const Eigen::Vector2d& c)
 {
-  const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
-  const double determinant = left - right;
-  // Shewchuk's bound of the rounding error is (3 + 16u)u with u = 2^-53; it holds where nothing
-  // underflows. Overflow and NaN fail the comparison.
-  const double error_bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right));
-  constexpr double underflow_bound = 1e-290;
-  if(std::abs(determinant) > error_bound + underflow_bound)
-    return determinant > 0;
-  return is_finite(a) && is_finite(b) && is_finite(c)
-      && exact_orientation(a, b, c) == COUNTERCLOCKWISE;
+  return is_finite(a) && is_finite(b) && is_finite(c) && exact_orientation(a, b, c) == COUNTERCLOCKWISE;
 }
 
 // The number of triangles that are not strictly counterclockwise, decided exactly; their indices

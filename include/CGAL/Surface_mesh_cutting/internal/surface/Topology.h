@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_CONNECTED_PARTS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_CONNECTED_PARTS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_TOPOLOGY_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_TOPOLOGY_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -60,4 +60,4 @@ inline std::vector<Topology> topologies(const Corner_table& chart, const Connect
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_CONNECTED_PARTS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SURFACE_TOPOLOGY_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_THREADS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_THREADS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_THREADS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_THREADS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -60,4 +60,4 @@ void for_each_index_in_isolation(int size, const Function& f)
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_THREADS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_THREADS_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_INITIAL_CUT_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_INITIAL_CUT_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_INITIAL_CUT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_INITIAL_CUT_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -90,4 +90,4 @@ inline std::vector<int> ends_and_forks(const Indexed_mesh& mesh, const Cut& cut)
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_INITIAL_CUT_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONNECTION_INITIAL_CUT_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_DETECT_FEATURES_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_DETECT_FEATURES_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_DETECT_FEATURES_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_DETECT_FEATURES_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -137,4 +137,4 @@ Detected_features detect_features(const Problem& problem, int start, const Conte
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_DETECTION_DETECT_FEATURES_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_DETECT_FEATURES_H

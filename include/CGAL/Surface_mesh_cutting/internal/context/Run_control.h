@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_CONTROL_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_CONTROL_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_RUN_CONTROL_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_RUN_CONTROL_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -63,4 +63,4 @@ private:
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_CONTROL_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_RUN_CONTROL_H

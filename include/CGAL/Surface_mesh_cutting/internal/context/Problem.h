@@ -9,14 +9,14 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PROBLEM_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PROBLEM_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_PROBLEM_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_PROBLEM_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/Initial_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/Initial_cut.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
@@ -44,4 +44,4 @@ struct Problem
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_PROBLEM_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_PROBLEM_H

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CONTEXT_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CONTEXT_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_CONTEXT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_CONTEXT_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/input/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Phase_clock.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Phase_clock.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -43,4 +43,4 @@ inline Indexed_status failure(const Run_control& control)
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CONTEXT_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_CONTEXT_CONTEXT_H
