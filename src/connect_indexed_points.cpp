@@ -20,10 +20,10 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 template Connected_cut connect_indexed_points<Sequential_tag>(
-  const Indexed_mesh&, Edge_constraints, const std::vector<int>&, const Cutting_parameters&, const std::function<bool()>&);
+  const Indexed_mesh&, Edge_constraints, const std::vector<int>&, const Cutting_parameters&, const Go_further&);
 #ifdef CGAL_LINKED_WITH_TBB
 template Connected_cut connect_indexed_points<Parallel_tag>(
-  const Indexed_mesh&, Edge_constraints, const std::vector<int>&, const Cutting_parameters&, const std::function<bool()>&);
+  const Indexed_mesh&, Edge_constraints, const std::vector<int>&, const Cutting_parameters&, const Go_further&);
 #endif
 
 } // namespace internal

@@ -164,8 +164,7 @@ connect_points(const TriangleMesh& tmesh, const VertexRange& points, EdgeIsCutMa
   {
     const internal::Indexed_mesh& mesh = adapter.mesh();
     const internal::Connected_cut connected = internal::connect_indexed_points<ConcurrencyTag>(
-      mesh, constraints, internal::read_vertices(tmesh, adapter, points), parameters,
-      [&control] { return control.go_further(); });
+      mesh, constraints, internal::read_vertices(tmesh, adapter, points), parameters, control);
     status.finding = control.is_stopped() ? internal::stopped_status().finding : connected.status.finding;
     if(connected.has_cut())
     {

@@ -131,8 +131,7 @@ Handles_result<TriangleMesh> cut_handles(const TriangleMesh& tmesh, EdgeIsCutMap
     status.finding = internal::read_edge_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    handles = internal::cut_handles_of_components(adapter.mesh(), constraints,
-                                                  [&control] { return control.go_further(); });
+    handles = internal::cut_handles_of_components(adapter.mesh(), constraints, control);
     status.finding = handles.status.finding;
   }
   result.status = adapter.translate(status);

@@ -51,7 +51,7 @@ Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
 template <typename ConcurrencyTag>
 Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
                                      const std::vector<int>& terminals, const Cutting_parameters& parameters,
-                                     const std::function<bool()>& go_further);
+                                     const Go_further& go_further);
 
 // Whether a chart consists of disks, and a map given by its corners is proven to be valid.
 CGAL_SURFACE_MESH_CUTTING_INLINE

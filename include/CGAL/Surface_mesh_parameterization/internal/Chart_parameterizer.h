@@ -107,7 +107,8 @@ private:
       = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), m_linear_solvers, uv); };
     if(first_map == First_map::TUTTE && map_by_tutte())
       return true;
-    const Stages_outcome outcome = hierarchical_map<Energy>(m_chart, m_points, m_linear_solvers, uv, options.stop);
+    const Stages_outcome outcome = hierarchical_map<Energy>(m_chart, m_points, m_linear_solvers, uv,
+                                                            options.go_further);
     return outcome == Stages_outcome::MAPPED ||
            (outcome == Stages_outcome::FAILED && first_map != First_map::TUTTE && map_by_tutte());
   }

@@ -48,9 +48,9 @@ public:
 
   // Connects it, and the terminals, to a cut that leaves one disk: closed loops that would separate
   // the surface stay open at one edge.
-  template <typename ConcurrencyTag, typename GoFurther>
+  template <typename ConcurrencyTag>
   Connected_cut connected(const Indexed_mesh& mesh, const Edge_constraints& constraints, std::vector<int> terminals,
-                          GoFurther go_further) const
+                          const Go_further& go_further) const
   {
     const std::vector<char> is_reachable = reachable_vertices(mesh, constraints);
     for(int e = 0; e < mesh.number_of_edges(); ++e)

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <CGAL/assertions.h>
@@ -32,6 +33,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
 
 // Connects the borders and the terminals in each part of an opened surface by a Steiner tree in
 // its contracted graph: each border is one terminal. If the parts have genus 0, they become disks.
@@ -62,9 +65,9 @@ public:
   }
 
   // `options` and `go_further` are those of the Steiner tree solver.
-  template <typename ConcurrencyTag, typename GoFurther>
+  template <typename ConcurrencyTag>
   Connected_cut connect(const std::vector<int>& terminals, const Options& options,
-                        GoFurther go_further)
+                        const Go_further& go_further)
   {
     m_result.status = check_disks_can_be_reached(m_mesh, m_constraints);
     if(m_result.status)
@@ -244,11 +247,11 @@ private:
 // Adds the edges of least weight to the mandatory ones that connect, within each part, all borders
 // and all given vertices; a closed part needs two vertices. A part that is a disk without vertices
 // to connect stays as it is.
-template <typename ConcurrencyTag, typename GoFurther>
+template <typename ConcurrencyTag>
 Connected_cut connect_terminals(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                const std::vector<int>& terminals,
                                const CGAL::internal::Steiner_tree::Options& options,
-                               GoFurther go_further)
+                               const Go_further& go_further)
 {
   return Terminal_connector(mesh, constraints).connect<ConcurrencyTag>(terminals, options, go_further);
 }

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <atomic>
 #include <functional>
 #include <mutex>
@@ -26,23 +28,29 @@ namespace Surface_mesh_cutting {
 
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
+
 // Reports the progress of a run to its caller and learns when to stop; a stopped run stays stopped. Several
 // threads may call it; only one at a time calls the caller.
 class Run_control
 {
 public:
   Run_control() = default;
-  Run_control(std::function<bool()> go_further, std::function<void(Phase, double)> progress)
+  Run_control(Go_further go_further, std::function<void(Phase, double)> progress)
     : m_go_further(std::move(go_further)), m_progress(std::move(progress))
   {}
 
   bool go_further()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_is_stopped = m_is_stopped || (m_go_further && !m_go_further());
+    m_is_stopped = m_is_stopped || !m_go_further();
     return !m_is_stopped;
   }
   bool is_stopped() const { return m_is_stopped; }
+
+  // What the layers below ask, as long as this control lives.
+  operator Go_further() { return [this] { return go_further(); }; }
 
   // `fraction` of the phase that is done, 0 at its start.
   void report(Phase phase, double fraction)
@@ -53,7 +61,7 @@ public:
   }
 
 private:
-  std::function<bool()> m_go_further;
+  Go_further m_go_further = always_go_further;
   std::function<void(Phase, double)> m_progress;
   std::atomic<bool> m_is_stopped{false};
   std::mutex m_mutex;

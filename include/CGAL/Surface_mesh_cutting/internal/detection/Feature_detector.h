@@ -90,11 +90,11 @@ private:
     m_control.report(Phase::CANDIDATES, 0);
     if(!is_closed())
     {
-      const auto go_further = [this] { return m_control.go_further(); };
       Connected_cut connection
         = m_problem.initial.is_given()
-        ? m_problem.initial.connected<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, go_further)
-        : connect_terminals<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_parameters.connection, go_further);
+        ? m_problem.initial.connected<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_control)
+        : connect_terminals<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_parameters.connection,
+                                            m_control);
       result.status = connection.status;
       if(!result.status)
         return {};

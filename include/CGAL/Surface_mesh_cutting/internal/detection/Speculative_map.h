@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 
@@ -43,7 +44,8 @@ public:
     : m_control(control), m_trials(number_of_copies(), none)
   {
     for(std::size_t i = 0; i < m_trials.size(); ++i)
-      m_copies.emplace_back(mesh, shapes, policy, control, [this, i] { return m_first_useful < m_trials[i]; });
+      m_copies.emplace_back(mesh, shapes, policy,
+                            [this, i] { return m_trials[i] <= m_first_useful && m_control.go_further(); });
   }
 
   bool initialize(const Cut& cut)

@@ -65,7 +65,7 @@ inline bool conformal_map(const Indexed_mesh& mesh, const std::vector<Rest_shape
   Newton_options options;
   if(!parameters.use_published_method)
     options.decrement = 1e-4; // where the map is distorted shows long before
-  options.stop = [&](const auto&) { return !control.go_further(); };
+  options.go_further = control;
   const First_map first_map = parameters.use_published_method ? First_map::TUTTE : First_map::HIERARCHY;
   return parameterizer.conformal_map(uv, options, first_map).outcome != Newton_outcome::FAILED && !control.is_stopped();
 }

@@ -23,10 +23,11 @@
 #include <CGAL/Surface_mesh_cutting/internal/handles/Shortest_loop.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Tree_cotree.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -34,6 +35,9 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
 
 // A halfedge of an indexed mesh, passed along its direction or against it.
 struct Directed_edge
@@ -121,10 +125,10 @@ private:
 // Finds loops after which each part that the mandatory cut leaves is as connected as before and has
 // genus 0. They are chosen one after the other, each close to the shortest that the former ones
 // leave. Several loops may meet and overlap, as they must on coarse meshes with many handles.
-// O(g (n log n + g n) + s), where s is the total size of the balls searched. Before each loop,
-// `go_further`, if given, says whether to.
+// O(g (n log n + g n) + s), where s is the total size of the balls searched. `go_further` is
+// asked before each loop.
 inline Handle_loops cut_handles(const Indexed_mesh& mesh, const Edge_constraints& constraints,
-                                const std::function<bool()>& go_further = {}, double tolerance = 0.05)
+                                const Go_further& go_further = always_go_further, double tolerance = 0.05)
 {
   Handle_loops result{check_handles_can_be_cut(mesh, constraints), {}, constraints.mandatory};
   if(!result.status)
@@ -138,7 +142,7 @@ inline Handle_loops cut_handles(const Indexed_mesh& mesh, const Edge_constraints
     const Tree_cotree tree_cotree(chart, surface);
     if(tree_cotree.generators().empty())
       break;
-    if(go_further && !go_further())
+    if(!go_further())
     {
       result.status = stopped_status();
       return result;
@@ -162,7 +166,7 @@ inline Handle_loops cut_handles(const Indexed_mesh& mesh, const Edge_constraints
 
 // The same for each component of a mesh, which may have isolated vertices.
 inline Handle_loops cut_handles_of_components(const Indexed_mesh& whole, const Edge_constraints& constraints,
-                                              const std::function<bool()>& go_further)
+                                              const Go_further& go_further)
 {
   Handle_loops result{Indexed_status(), {}, constraints.mandatory};
   for(const Indexed_component& component : split_into_components(whole))

@@ -27,7 +27,7 @@ namespace internal {
 template <typename ConcurrencyTag>
 Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
                                      const std::vector<int>& terminals, const Cutting_parameters& parameters,
-                                     const std::function<bool()>& go_further)
+                                     const Go_further& go_further)
 {
   Connected_cut result;
   result.status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);

@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Local_window.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Mapping_policy.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
@@ -22,9 +21,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -36,6 +36,7 @@ namespace internal {
 using Surface_mesh_parameterization::internal::Chart_parameterizer;
 using Surface_mesh_parameterization::internal::Newton_options;
 using Surface_mesh_parameterization::internal::Newton_outcome;
+using CGAL::internal::Graph_kernel::Go_further;
 using Surface_mesh_parameterization::internal::Newton_result;
 using Surface_mesh_parameterization::internal::Newton_solver;
 using Surface_mesh_parameterization::internal::Newton_state;
@@ -49,11 +50,11 @@ using Surface_mesh_parameterization::internal::hopeless_energy;
 class Incremental_parameterization
 {
 public:
-  // Also aborts once `is_cancelled()`; call `restore()` afterwards.
+  // `go_further` may also end the work on a single slit; call `restore()` then.
   Incremental_parameterization(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
-              Run_control& control, std::function<bool()> is_cancelled = [] { return false; })
-    : m_mesh(mesh), m_shapes(shapes), m_policy(policy), m_weights(area_weights(shapes)), m_control(control),
-      m_is_cancelled(std::move(is_cancelled)), m_window(mesh)
+              Go_further go_further)
+    : m_mesh(mesh), m_shapes(shapes), m_policy(policy), m_weights(area_weights(shapes)),
+      m_go_further(std::move(go_further)), m_window(mesh)
   {}
 
   // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
@@ -73,12 +74,11 @@ public:
     Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes, m_policy.linear_solvers);
     Newton_options o = options();
     o.decrement = precision;
+    o.stop = [bound](const Newton_state& s) { return is_out_of_reach(bound, s); };
     const auto map_from = [&](First_map first_map)
     {
-      o.stop = options().stop;
       if(!parameterizer.isometric_start(m_state.uv, o, first_map))
         return false;
-      o.stop = [&](const Newton_state& s) { return is_out_of_reach(bound, s) || !go_further(); };
       const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
       take_energy(result);
       if(result.outcome == Newton_outcome::CONVERGED)
@@ -88,7 +88,7 @@ public:
     bool is_mapped = map_from(m_policy.first_map);
     if(is_mapped && m_policy.first_map == First_map::TUTTE && is_hopeless())
       is_mapped = map_from(First_map::HIERARCHY);
-    return is_mapped && m_state.energy <= bound && !is_stopped();
+    return is_mapped && m_state.energy <= bound && m_go_further();
   }
 
   const Cut& cut() const { return m_state.cut; }
@@ -116,7 +116,7 @@ public:
   bool try_slit(const std::vector<int>& slit, double threshold)
   {
     const Trial trial = begin(slit);
-    if(is_useful(slit, threshold) && !is_stopped())
+    if(is_useful(slit, threshold) && m_go_further())
     {
       for(int e : slit)
         m_state.cut[e] = 1;
@@ -220,9 +220,6 @@ public:
   }
 
 private:
-  bool go_further() { return !m_is_cancelled() && m_control.go_further(); }
-  bool is_stopped() const { return m_is_cancelled() || m_control.is_stopped(); }
-
   void take_energy(const Newton_result& result)
   {
     m_state.energy = result.energy;
@@ -259,7 +256,7 @@ private:
   {
     Newton_options o;
     o.decrement = m_policy.precision;
-    o.stop = [this](const Newton_state&) { return !go_further(); };
+    o.go_further = m_go_further;
     return o;
   }
 
@@ -277,7 +274,7 @@ private:
       if(!m_window.collect(slit, window.radius * total_length(m_mesh, slit)))
         break;
       gain += solve_window(threshold, gain);
-      if(gain > threshold || is_stopped())
+      if(gain > threshold || !m_go_further())
         return true;
       if(m_policy.uses_estimates && window.largest_factor * gain < threshold)
         return false;
@@ -298,10 +295,11 @@ private:
     const double target = m_state.energy - threshold;
     bool is_decided = false, is_useful = false;
     Newton_options o;
+    o.go_further = m_go_further;
     o.stop = [&](const Newton_state& s)
     {
       is_useful = s.energy < target;
-      is_decided = is_useful || (m_policy.uses_estimates && is_out_of_reach(target, s)) || !go_further();
+      is_decided = is_useful || (m_policy.uses_estimates && is_out_of_reach(target, s));
       return is_decided;
     };
     const Newton_result result = solve(o);
@@ -324,11 +322,11 @@ private:
     const double before = solver.energy<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv);
     // An estimate needs about a tenth of the gain.
     Newton_options o;
+    o.go_further = m_go_further;
     o.stop = [&](const Newton_state& s)
     {
       const double tolerance = std::isfinite(threshold) ? 0.01 * threshold : 0.1 * (before - s.energy);
-      return gain_so_far + before - s.energy > threshold || s.decrement < tolerance ||
-             !go_further();
+      return gain_so_far + before - s.energy > threshold || s.decrement < tolerance;
     };
     const Newton_result result
       = solver.minimize<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv, o);
@@ -341,8 +339,7 @@ private:
   const std::vector<Rest_shape>& m_shapes;
   Mapping_policy m_policy;
   std::vector<double> m_weights;
-  Run_control& m_control;
-  std::function<bool()> m_is_cancelled;
+  Go_further m_go_further;
   Open_chart m_state;
   Local_window m_window; // in work
   double m_hopeless_solved_faces = 0;

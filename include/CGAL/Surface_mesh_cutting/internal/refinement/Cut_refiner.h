@@ -149,8 +149,7 @@ private:
 
   void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
-    m_tree = connect_terminals<ConcurrencyTag>(m_mesh, m_constraints, m_features, options,
-                                              [this] { return m_control.go_further(); });
+    m_tree = connect_terminals<ConcurrencyTag>(m_mesh, m_constraints, m_features, options, m_control);
     m_is_connected = true;
     m_length = cut_length(m_mesh, m_tree.cut);
   }

@@ -36,7 +36,7 @@ inline Indexed_status cut_handles_of(Problem& problem, const Context& context)
   Handle_loops handles = cut_handles(problem.mesh,
                                      problem.initial.is_given() ? problem.initial.guide(problem.constraints)
                                                                 : problem.constraints,
-                                     [&context] { return context.control.go_further(); });
+                                     context.control);
   problem.constraints.mandatory = std::move(handles.cut);
   return handles.status;
 }

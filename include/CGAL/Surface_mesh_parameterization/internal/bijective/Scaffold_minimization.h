@@ -24,7 +24,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -39,8 +38,7 @@ struct Scaffold_options
   // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
   // travel farther than to the next vertex of the scaffold, at twice the cost.
   bool moves_scaffold = false;
-  // Ends the iteration when it returns true.
-  std::function<bool(const Newton_state&)> stop;
+  Go_further go_further = always_go_further;
 };
 
 // Minimizes the symmetric Dirichlet energy of an injective map of a chart over injective maps
@@ -118,7 +116,7 @@ private:
     Newton_solver solver(triangles, int(uv.size()), m_linear_solvers, std::move(is_fixed));
     Newton_options options;
     options.maximum_iterations = factorizations;
-    options.stop = m_options.stop;
+    options.go_further = m_options.go_further;
     const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
     total.decrement = result.decrement;

@@ -81,7 +81,7 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
   if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
     return isometric;
   Scaffold_options scaffold_options;
-  scaffold_options.stop = options.stop;
+  scaffold_options.go_further = options.go_further;
   if(isometric.outcome == Newton_outcome::STOPPED ||
      !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
     return Newton_result();

@@ -23,7 +23,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -100,13 +99,13 @@ Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen:
 template <typename Energy>
 Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                 const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
-                                const std::function<bool(const Newton_state&)>& stop = {})
+                                const Go_further& go_further = always_go_further)
 {
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
   {
     Newton_options options;
     options.decrement = 1e-5;
-    options.stop = stop;
+    options.go_further = go_further;
     Newton_solver solver(stage.chart.triangles(), stage.chart.number_of_vertices(), linear_solvers);
     return solver.minimize<Energy>(stage.shapes, area_weights(stage.shapes), stage_uv, options).outcome;
   };

@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -31,6 +33,9 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
 
 // SINGULAR: factorization failed, map valid. FAILED: map invalid.
 enum class Newton_outcome { CONVERGED, STOPPED, ITERATION_LIMIT, STALLED, SINGULAR, FAILED };
@@ -47,7 +52,8 @@ struct Newton_options
 {
   int maximum_iterations = 200;
   double decrement = 1e-6; // as a fraction of the energy
-  // Ends the iteration when it returns true.
+  Go_further go_further = always_go_further;
+  // Whether what is known decides what the solve is for, so that the iteration may end.
   std::function<bool(const Newton_state&)> stop;
 };
 
@@ -117,7 +123,8 @@ public:
       m_memory.clear();
       for(int i = 0; i <= maximum_reuse(); ++i)
       {
-        if(options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement}))
+        if(!options.go_further() ||
+           (options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement})))
         {
           result.outcome = Newton_outcome::STOPPED;
           return result;

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -57,7 +56,7 @@ public:
 
   // the part of the graph without the edges removed, which must hold the tree
   Bounded_instance(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<char>& is_removed,
-                   const Tree& tree, const std::function<bool()>& go_further)
+                   const Tree& tree, const Go_further& go_further)
     : Bounded_instance(graph, terminals)
   {
     m_best = tree;
@@ -85,7 +84,7 @@ public:
 
   // Removes what no shorter tree can use, by dual ascent with different roots: at least `minimum_number_of_rounds`
   // times and then as long as a round leaves at most `maximum_ratio` of the edges. False if no tree is shorter.
-  bool reduce(int minimum_number_of_rounds, double maximum_ratio, const std::function<bool()>& go_further)
+  bool reduce(int minimum_number_of_rounds, double maximum_ratio, const Go_further& go_further)
   {
     for(int round = 0; !m_is_optimal && go_further(); ++round) {
       const int size = graph().number_of_edges();
@@ -97,7 +96,7 @@ public:
   }
 
   // the pruned dynamic program; false if it was stopped
-  bool search(std::size_t maximum_number_of_states, const std::function<bool()>& go_further)
+  bool search(std::size_t maximum_number_of_states, const Go_further& go_further)
   {
     const std::size_t k = terminals().size();
     return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1>(maximum_number_of_states, go_further)
@@ -115,7 +114,7 @@ private:
   // the length of the shortest tree of the instance is this much less than that of the original problem
   double fixed_length() const { return total_weight(*m_graph, m_instance.original_edges({})); }
 
-  void reduce_from_next_root(const std::function<bool()>& go_further)
+  void reduce_from_next_root(const Go_further& go_further)
   {
     const int root = ++m_last_root;
     const Dual_ascent dual(graph(), terminals(), root % int(terminals().size()), go_further);
@@ -140,7 +139,7 @@ private:
       remove(is_removed, go_further);
   }
 
-  void remove(const std::vector<char>& is_removed, const std::function<bool()>& go_further)
+  void remove(const std::vector<char>& is_removed, const Go_further& go_further)
   {
     m_instance = Degree_reduction(m_instance, is_removed, go_further).instance();
     if(terminals().size() > 1)
@@ -161,7 +160,7 @@ private:
   }
 
   template <int Words>
-  bool search_with_sets_of(std::size_t maximum_number_of_states, const std::function<bool()>& go_further)
+  bool search_with_sets_of(std::size_t maximum_number_of_states, const Go_further& go_further)
   {
     const Dual_ascent dual(graph(), terminals(), m_best_root % int(terminals().size()), go_further);
     const Completion_bound<Words> bound(dual);

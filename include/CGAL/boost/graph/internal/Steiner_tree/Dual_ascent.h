@@ -12,11 +12,11 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -27,6 +27,7 @@ namespace internal {
 namespace Steiner_tree {
 
 using Graph_kernel::Csr_graph;
+using Graph_kernel::Go_further;
 using Graph_kernel::Shortest_paths;
 
 // A feasible dual solution of the directed cut formulation (Wong 1984). Every Steiner tree, directed away from a
@@ -64,7 +65,7 @@ public:
   // raises the sets around the terminals, the smallest first, until all are reached from the root along arcs of
   // reduced weight zero. All terminals must be in one component. Stopped earlier, it is a solution, too.
   Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root,
-              const std::function<bool()>& go_further)
+              const Go_further& go_further)
     : m_graph(&graph)
     , m_terminals(terminals)
     , m_root(root)
@@ -135,7 +136,7 @@ private:
     }
   };
 
-  void ascend(const std::function<bool()>& go_further)
+  void ascend(const Go_further& go_further)
   {
     const int k = int(m_terminals.size());
     std::vector<int> position(m_graph->number_of_vertices(), -1);

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -31,13 +30,13 @@ template <typename ConcurrencyTag>
 class Exact_solver
 {
   std::size_t m_maximum_number_of_states;
-  const std::function<bool()>& m_go_further;
+  const Go_further& m_go_further;
   Bounded_instance m_instance;
   unsigned int m_seed = 0;
 
 public:
   Exact_solver(const Csr_graph& graph, const std::vector<int>& terminals, std::size_t maximum_number_of_states,
-               const std::function<bool()>& go_further)
+               const Go_further& go_further)
     : m_maximum_number_of_states(maximum_number_of_states), m_go_further(go_further), m_instance(graph, terminals)
   {
     m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));

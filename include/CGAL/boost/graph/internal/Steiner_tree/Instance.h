@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -100,7 +99,7 @@ class Degree_reduction
 
 public:
   Degree_reduction(const Instance& instance, const std::vector<char>& is_removed,
-                   const std::function<bool()>& go_further)
+                   const Go_further& go_further)
     : m_instance(instance)
     , m_incident(instance.graph().number_of_vertices())
     , m_is_terminal(mark(instance.graph().number_of_vertices(), instance.terminals()))

@@ -12,6 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_KEY_POINTS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_KEY_POINTS_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -28,6 +28,7 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
+using Graph_kernel::Go_further;
 using Graph_kernel::Shortest_paths;
 using Graph_kernel::for_each_index;
 
@@ -81,7 +82,7 @@ private:
 public:
   template <typename ConcurrencyTag>
   Key_points(const Csr_graph& graph, const std::vector<int>& terminals, ConcurrencyTag,
-             const std::function<bool()>& go_further)
+             const Go_further& go_further)
     : m_graph(&graph), m_terminals(terminals)
   {
     const int k = int(terminals.size());

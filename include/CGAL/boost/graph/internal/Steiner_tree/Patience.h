@@ -12,21 +12,24 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PATIENCE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PATIENCE_H
 
-#include <functional>
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
+using Graph_kernel::Go_further;
+
 // Asks whether to go on, for loops with short steps: only once in many of them. Once refused, always refused.
 class Patience
 {
-  const std::function<bool()>& m_go_further;
+  const Go_further& m_go_further;
   unsigned int m_number_of_steps = 0;
   bool m_is_over = false;
 
 public:
-  explicit Patience(const std::function<bool()>& go_further) : m_go_further(go_further) {}
+  explicit Patience(const Go_further& go_further) : m_go_further(go_further) {}
 
   bool is_over() const { return m_is_over; }
 

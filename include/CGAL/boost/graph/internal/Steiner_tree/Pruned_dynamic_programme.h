@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -143,7 +142,7 @@ public:
   {}
 
   // false if it was stopped by the budget or by `go_further`
-  bool run(const std::function<bool()>& go_further)
+  bool run(const Go_further& go_further)
   {
     for(int i = 0; i < int(m_terminals.size()); ++i) {
       Set single;
@@ -255,7 +254,7 @@ private:
   // merges the states of a table with those of the earlier tables at the same vertices. The larger part of rule 1
   // may come last, so a union of more than k/2 terminals, which is only completed, must leave a part of at least the
   // size of the present one. Labels are in the order of their sizes.
-  void merge(int index, const std::function<bool()>& go_further)
+  void merge(int index, const Go_further& go_further)
   {
     const Set set = m_tables[index].set;
     const int maximum_size = int(m_terminals.size()) - 2 * set.size();

@@ -15,7 +15,6 @@
 #include <CGAL/boost/graph/internal/Steiner_tree/Key_points.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace CGAL {
 namespace internal {
@@ -26,7 +25,7 @@ namespace Steiner_tree {
 // edges: the shortest union over all steps is returned.
 template <typename ConcurrencyTag>
 Tree insert_auxiliary_points(Key_points& points, double minimum_decrease, ConcurrencyTag tag,
-                             const std::function<bool()>& go_further)
+                             const Go_further& go_further)
 {
   Tree best = points.tree();
   while(go_further()) {

@@ -14,7 +14,6 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
 
-#include <functional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -28,7 +27,7 @@ namespace Steiner_tree {
 // shorter. `minimum_decrease` keeps rounding errors from looking like progress.
 template <typename ConcurrencyTag>
 Tree local_search(Key_points points, double minimum_decrease, ConcurrencyTag tag,
-                  const std::function<bool()>& go_further)
+                  const Go_further& go_further)
 {
   Tree best = insert_auxiliary_points(points, minimum_decrease, tag, go_further);
   for(int i = 0; i < points.number_of_auxiliary_points() && go_further(); ++i) {

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -37,7 +36,7 @@ using Graph_kernel::Shortest_paths;
 // `weight(i)` is the weight of arc i.
 template <typename Weight>
 Tree grow_tree(const Csr_graph& graph, const std::vector<int>& terminals, int start, Weight weight,
-               const std::function<bool()>& go_further)
+               const Go_further& go_further)
 {
   std::vector<char> is_terminal = mark(graph.number_of_vertices(), terminals);
   std::size_t remaining = terminals.size();
@@ -80,7 +79,7 @@ inline int terminal_of_nearest_pair(const Csr_graph& graph, const std::vector<in
 
 // the same from there; if it is stopped, the tree of the metric closure, which is found at once
 inline Tree shortest_path_heuristic(const Csr_graph& graph, const std::vector<int>& terminals,
-                                    const std::function<bool()>& go_further)
+                                    const Go_further& go_further)
 {
   const Tree tree = grow_tree(graph, terminals, terminal_of_nearest_pair(graph, terminals),
                               [&](int i) { return graph.arcs[i].weight; }, go_further);

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -79,7 +78,7 @@ inline std::vector<int> branch_vertices(const Csr_graph& graph, const std::vecto
 
 template <typename ConcurrencyTag>
 Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-                 const std::function<bool()>& go_further)
+                 const Go_further& go_further)
 {
   Key_points points(graph, terminals, ConcurrencyTag(), go_further);
   if(!points.is_complete())
@@ -97,7 +96,7 @@ Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, cons
 // local search from two sides: from the terminals, and from the branches that the shortest path heuristic finds
 template <typename ConcurrencyTag>
 Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals,
-                       const std::function<bool()>& go_further)
+                       const Go_further& go_further)
 {
   const Tree grown = shortest_path_heuristic(graph, terminals, go_further);
   const double minimum_decrease = 1e-10 * grown.length;
@@ -115,7 +114,7 @@ Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals
 // Weights must be finite and not negative.
 template <typename ConcurrencyTag>
 Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-               const std::function<bool()>& go_further)
+               const Go_further& go_further)
 {
   Solution solution;
   if(!are_connected(graph, terminals)) {
