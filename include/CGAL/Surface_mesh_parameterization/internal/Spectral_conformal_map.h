@@ -23,6 +23,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -61,9 +62,13 @@ public:
     // The constants have no energy: a trace of the mass makes the matrix positive definite and
     // leaves the eigenvectors what they are.
     constexpr double relative_shift = 1e-11;
-    const double shift = relative_shift * m_energy.diagonal().real().sum() / m_masses.sum();
+    double trace = 0;
+    for(int v = 0; v < int(m_masses.size()); ++v)
+      trace += m_energy.coeff(v, v).real();
+    const double shift = relative_shift * trace / m_masses.sum();
     Matrix shifted = m_energy;
-    shifted += Matrix((shift * m_masses).cast<Complex>().asDiagonal());
+    for(int v = 0; v < int(m_masses.size()); ++v)
+      shifted.coeffRef(v, v) += shift * m_masses[v];
     const std::unique_ptr<Hermitian_solver> solver = linear_solvers.make_hermitian_solver();
     if(!solver->factorize(shifted))
       return false;
@@ -71,14 +76,19 @@ public:
     normalize();
     for(int i = 0; i < maximum_iterations; ++i)
     {
-      const Eigen::VectorXcd former = m_map;
-      m_map = solver->solve(Eigen::VectorXcd(m_masses.cwiseProduct(former)));
+      Eigen::VectorXcd former = m_map; // times the masses
+      for(int v = 0; v < int(former.size()); ++v)
+        former[v] *= m_masses[v];
+      m_map = solver->solve(former);
       normalize();
-      const double overlap = std::abs(m_map.dot(m_masses.cwiseProduct(former)));
-      if(!(1 - overlap > tolerance * tolerance))
+      Complex overlap = 0;
+      for(int v = 0; v < int(former.size()); ++v)
+        overlap += std::conj(m_map[v]) * former[v];
+      if(!(1 - std::abs(overlap) > tolerance * tolerance))
         break;
     }
-    return m_map.allFinite();
+    return std::all_of(m_map.data(), m_map.data() + m_map.size(),
+                       [](const Complex& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); });
   }
 
   Eigen::Vector2d operator[](int v) const
@@ -139,9 +149,17 @@ private:
   // Takes the constants out, and makes the border's mass one.
   void normalize()
   {
-    const Complex mean = m_map.cwiseProduct(m_masses.cast<Complex>()).sum() / m_masses.sum();
-    m_map.array() -= mean;
-    m_map /= std::sqrt(m_map.cwiseAbs2().dot(m_masses));
+    Complex mean = 0;
+    for(int v = 0; v < int(m_map.size()); ++v)
+      mean += m_map[v] * m_masses[v];
+    mean /= m_masses.sum();
+    double square = 0;
+    for(int v = 0; v < int(m_map.size()); ++v)
+    {
+      m_map[v] -= mean;
+      square += (m_map[v].real() * m_map[v].real() + m_map[v].imag() * m_map[v].imag()) * m_masses[v];
+    }
+    m_map /= std::sqrt(square);
   }
 
   Matrix m_energy;

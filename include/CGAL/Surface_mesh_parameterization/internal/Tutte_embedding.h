@@ -74,7 +74,7 @@ inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::ve
 
   std::vector<Eigen::Triplet<double> > entries;
   entries.reserve(6 * chart.triangles().size());
-  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(size, 2);
+  Eigen::VectorXd right[2] = {Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)}; // of each coordinate
   const auto spring = [&](int v, int w)
   {
     for(int turn = 0; turn < 2; ++turn, std::swap(v, w))
@@ -83,7 +83,8 @@ inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::ve
         continue;
       entries.emplace_back(unknowns[v], unknowns[v], 1.);
       if(unknowns[w] < 0)
-        right.row(unknowns[v]) += uv[w].transpose();
+        for(int i = 0; i < 2; ++i)
+          right[i][unknowns[v]] += uv[w][i];
       else if(unknowns[v] > unknowns[w])
         entries.emplace_back(unknowns[v], unknowns[w], -1.);
     }
@@ -103,13 +104,11 @@ inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::ve
   const std::unique_ptr<Symmetric_solver> solver = linear_solvers.make_symmetric_solver();
   if(!solver->factorize(laplacian))
     return false;
-  Eigen::MatrixX2d solution(size, 2);
-  for(int coordinate = 0; coordinate < 2; ++coordinate)
-    solution.col(coordinate) = solver->solve(right.col(coordinate));
+  const Eigen::VectorXd solution[2] = {solver->solve(right[0]), solver->solve(right[1])};
   for(int v = 0; v < n; ++v)
     if(unknowns[v] >= 0)
-      uv[v] = solution.row(unknowns[v]).transpose();
-  return solution.allFinite();
+      uv[v] = Eigen::Vector2d(solution[0][unknowns[v]], solution[1][unknowns[v]]);
+  return solution[0].allFinite() && solution[1].allFinite();
 }
 
 } // namespace internal

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -28,7 +29,9 @@ namespace internal {
 inline int scale_exponent(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
 {
   // Halves, as the difference of two finite numbers may be infinite.
-  const double half_extent = (0.5 * high - 0.5 * low).maxCoeff();
+  double half_extent = 0;
+  for(int i = 0; i < 3; ++i)
+    half_extent = (std::max)(half_extent, 0.5 * high[i] - 0.5 * low[i]);
   return half_extent > 0 ? std::ilogb(half_extent) + 1 : 0;
 }
 

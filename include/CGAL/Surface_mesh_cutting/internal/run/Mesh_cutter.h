@@ -222,7 +222,7 @@ private:
           high = high.cwiseMax(result.uv[v]);
         }
       boxes.push_back({low, high - low, i});
-      area += boxes.back().size.prod();
+      area += boxes.back().size.x() * boxes.back().size.y();
       widest = (std::max)(widest, boxes.back().size.x());
     }
     std::stable_sort(boxes.begin(), boxes.end(),

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -35,8 +36,7 @@ struct Contracted_surface
   Csr_graph graph;
 
   // `weight(h)` is the weight of the edge of the halfedge `h`. O(n).
-  template <typename Weight>
-  Contracted_surface(const Corner_table& chart, Weight weight)
+  Contracted_surface(const Corner_table& chart, const std::function<double(int)>& weight)
     : border_loops(chart.border_loops()), nodes(chart.number_of_vertices(), -1)
   {
     int number_of_nodes = 0;

@@ -119,9 +119,10 @@ private:
       low = low.cwiseMin(m_points[chart.source(h)]);
       high = high.cwiseMax(m_points[chart.source(h)]);
     }
-    const Eigen::Vector2d outwards = Eigen::Vector2d::Constant(margin * (high - low).maxCoeff());
-    low -= outwards;
-    high += outwards;
+    const Eigen::Vector2d size = high - low;
+    const double outwards = margin * (std::max)(size.x(), size.y());
+    low -= Eigen::Vector2d(outwards, outwards);
+    high += Eigen::Vector2d(outwards, outwards);
     const Eigen::Vector2d corners[number_of_corners]
       = {low, Eigen::Vector2d(high.x(), low.y()), high, Eigen::Vector2d(low.x(), high.y())};
     for(const Eigen::Vector2d& corner : corners)
@@ -204,7 +205,8 @@ private:
     // The circumcenter: half the base, and up along its normal.
     const double length = std::sqrt(squared_length[apex]);
     const Eigen::Vector2d normal(-base.y() / length, base.x() / length);
-    const double height = side.dot(side - base) / (2 * side.dot(normal));
+    const Eigen::Vector2d other_side = side - base;
+    const double height = side.dot(other_side) / (2 * side.dot(normal));
     const double radius = std::sqrt(height * height + 0.25 * squared_length[apex]);
     if(!(radius > largest_ratio * length))
       return;
@@ -220,8 +222,10 @@ private:
                                     const Eigen::Vector2d& b)
   {
     const Eigen::Vector2d d = b - a;
-    const double t = d.squaredNorm() > 0 ? (p - a).dot(d) / d.squaredNorm() : 0;
-    return (p - a - (std::max)(0., (std::min)(1., t)) * d).norm();
+    Eigen::Vector2d to_point = p - a;
+    const double t = d.squaredNorm() > 0 ? to_point.dot(d) / d.squaredNorm() : 0;
+    to_point -= (std::max)(0., (std::min)(1., t)) * d;
+    return to_point.norm();
   }
 
   // Whether the face `f` that contains a center is outside and leaves it its clearance.

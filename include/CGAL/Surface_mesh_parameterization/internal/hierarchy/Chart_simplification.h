@@ -40,7 +40,9 @@ struct Quadric
   void add_plane(const Eigen::Vector3d& normal, const Eigen::Vector3d& point, double weight)
   {
     const double offset = -normal.dot(point);
-    a += weight * normal * normal.transpose();
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        a(i, j) += weight * normal[i] * normal[j];
     b += weight * offset * normal;
     c += weight * offset * offset;
   }
@@ -50,7 +52,11 @@ struct Quadric
     b += q.b;
     c += q.c;
   }
-  double operator()(const Eigen::Vector3d& p) const { return p.dot(a * p) + 2 * b.dot(p) + c; }
+  double operator()(const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector3d product = a * p;
+    return p.dot(product) + 2 * b.dot(p) + c;
+  }
 };
 
 // Chooses half-edge collapses that keep the shape of the surface and of its triangles: lowest

@@ -103,13 +103,13 @@ private:
     Eigen::Vector2d middle;
     if((v < int(m_is_fixed.size()) && m_is_fixed[v]) || !kernel_centroid(v, uv, middle))
       return false;
-    const Eigen::Vector2d former = uv[v];
+    const Eigen::Vector2d former = uv[v], to_middle = middle - former;
     Eigen::Vector2d best = former;
     const int former_number = number_of_flips_around(v, uv);
     int least = former_number;
     for(double share = shortest_move; least > 0; share *= growth)
     {
-      uv[v] = former + (share < 1 ? share : 1) * (middle - former);
+      uv[v] = former + (share < 1 ? share : 1) * to_middle;
       if(v < m_number_of_rounded)
         uv[v] = m_round(uv[v]);
       const int number = number_of_flips_around(v, uv);

@@ -115,13 +115,17 @@ public:
     Eigen::Vector2d low = star.front().a, high = low;
     for(const Star_triangle& t : star)
     {
-      low = low.cwiseMin(t.a).cwiseMin(t.b);
-      high = high.cwiseMax(t.a).cwiseMax(t.b);
+      for(const Eigen::Vector2d* corner : {&t.a, &t.b})
+      {
+        low = low.cwiseMin(*corner);
+        high = high.cwiseMax(*corner);
+      }
     }
     // The kernel of a border vertex's star is unbounded: the box stands for the rest of the plane.
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant((high - low).maxCoeff());
-    low -= margin;
-    high += margin;
+    const Eigen::Vector2d size = high - low;
+    const double margin = (std::max)(size.x(), size.y());
+    low -= Eigen::Vector2d(margin, margin);
+    high += Eigen::Vector2d(margin, margin);
     m_polygon = {low, Eigen::Vector2d(high.x(), low.y()), high, Eigen::Vector2d(low.x(), high.y())};
     for(const Star_triangle& t : star)
     {

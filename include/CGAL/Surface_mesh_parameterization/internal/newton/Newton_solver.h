@@ -131,7 +131,10 @@ public:
         }
         for(std::size_t v = 0; v < uv.size(); ++v)
           if(m_system.unknown(int(v)) >= 0)
-            direction[v] = -m_step.segment<2>(m_system.unknown(int(v)));
+          {
+            const int u = m_system.unknown(int(v));
+            direction[v] = Eigen::Vector2d(-m_step[u], -m_step[u + 1]);
+          }
         const bool is_converged = result.decrement <= options.decrement * result.energy;
         const double former = result.energy;
         const double t = line_search<Energy>(shapes, weights, direction, uv, trial, result);

@@ -15,6 +15,7 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -80,15 +81,14 @@ public:
   }
 
   // calls `settle(v)` for the vertices in the order of their distances until it returns false
-  template <typename Settle>
-  void run(Settle settle)
+  void run(const std::function<bool(int)>& settle)
   {
     run(settle, [this](int i) { return m_graph->arcs[i].weight; });
   }
 
   // the same with the weight of arc `i` (in its vertex's row) given by `weight(i)`; infinity means: no arc
   template <typename Settle, typename Weight>
-  void run(Settle settle, Weight weight)
+  void run(const Settle& settle, const Weight& weight)
   {
     Distance_heap heap(m_distances, m_positions);
     for(;;) {
@@ -114,7 +114,7 @@ public:
   // searches everything that can be reached
   void run()
   {
-    run([](int) { return true; });
+    run([](int) { return true; }, [this](int i) { return m_graph->arcs[i].weight; });
   }
 
   // appends the edges of the path to `v`
