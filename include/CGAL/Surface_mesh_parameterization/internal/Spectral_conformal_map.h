@@ -20,6 +20,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -33,6 +35,9 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
 
 // Spectral conformal parameterization [Mullen et al. 2008]: among all maps whose border has unit
 // mass, the one of least conformal energy, Dirichlet energy minus area. With the place of a vertex as
@@ -53,8 +58,8 @@ public:
     assemble_border(chart, shapes);
   }
 
-  // False if the factorization fails.
-  bool solve(const Linear_solver_source& linear_solvers)
+  // False if the factorization fails, or once `go_further()` does not want more.
+  bool solve(const Linear_solver_source& linear_solvers, const Go_further& go_further)
   {
     constexpr int maximum_iterations = 50;
     constexpr double tolerance = 1e-4;
@@ -70,12 +75,14 @@ public:
     for(int v = 0; v < int(m_masses.size()); ++v)
       shifted.coeffRef(v, v) += shift * m_masses[v];
     const std::unique_ptr<Hermitian_solver> solver = linear_solvers.make_hermitian_solver();
-    if(!solver->factorize(shifted))
+    if(!go_further() || !solver->factorize(shifted))
       return false;
 
     normalize();
     for(int i = 0; i < maximum_iterations; ++i)
     {
+      if(!go_further())
+        return false;
       Eigen::VectorXcd former = m_map; // times the masses
       for(int v = 0; v < int(former.size()); ++v)
         former[v] *= m_masses[v];
@@ -169,13 +176,15 @@ private:
 
 // The spectral conformal map of a chart, scaled to the area of the surface. `number_of_flips`
 // receives how many triangles are flipped: usually none or a few, which `remove_flips()` puts
-// right, but several per cent where the map folds. False if there is no map of positive area.
+// right, but several per cent where the map folds. False if there is no map of positive area, or
+// once `go_further()` does not want more.
 inline bool spectral_conformal_map(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
                                    const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
-                                   int* number_of_flips = nullptr)
+                                   int* number_of_flips = nullptr,
+                                   const Go_further& go_further = always_go_further)
 {
   Spectral_conformal_map map(chart, shapes);
-  if(!map.solve(linear_solvers))
+  if(!map.solve(linear_solvers, go_further))
     return false;
   uv.resize(chart.number_of_vertices());
   for(int v = 0; v < chart.number_of_vertices(); ++v)

@@ -58,9 +58,11 @@ inline bool conformal_map(const Indexed_mesh& mesh, const std::vector<Rest_shape
   int flips = 0;
   const Linear_solver_source& linear_solvers = *parameters.linear_solvers;
   if(parameters.conformal_solver == Conformal_solver::SPECTRAL &&
-     spectral_conformal_map(chart, shapes, linear_solvers, uv, &flips) &&
+     spectral_conformal_map(chart, shapes, linear_solvers, uv, &flips, control) &&
      (flips == 0 || remove_flips(chart, points, uv)))
     return control.go_further();
+  if(!control.go_further())
+    return false;
   Chart_parameterizer parameterizer(chart, points, shapes, linear_solvers);
   Newton_options options;
   if(!parameters.use_published_method)

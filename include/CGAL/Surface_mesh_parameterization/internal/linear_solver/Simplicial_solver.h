@@ -15,17 +15,18 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_factorization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
 
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <complex>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,16 +37,20 @@ namespace internal {
 class Simplicial_solver : public Linear_solver
 {
 public:
-  void analyze(const Sparse_matrix& upper) override { m_solver.analyzePattern(upper); }
-  bool factorize(const Sparse_matrix& upper) override
+  explicit Simplicial_solver(Go_further go_further) : m_go_further(std::move(go_further)) {}
+
+  void analyze(const Sparse_matrix& upper) override { m_factorization.analyze(upper); }
+  bool factorize(const Sparse_matrix& upper) override { return m_factorization.factorize(upper, m_go_further); }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) override
   {
-    m_solver.factorize(upper);
-    return m_solver.info() == Eigen::Success && m_solver.vectorD().minCoeff() > 0;
+    Eigen::VectorXd result = right;
+    m_factorization.solve(result);
+    return result;
   }
-  Eigen::VectorXd solve(const Eigen::VectorXd& right) override { return m_solver.solve(right); }
 
 private:
-  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int> > m_solver;
+  const Go_further m_go_further;
+  Simplicial_factorization<double> m_factorization;
 };
 
 // The same for unknowns in any order.
@@ -57,8 +62,9 @@ class Simplicial_unordered_solver : public Unordered_solver<Scalar>
   using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 public:
-  // Orders the unknowns as Eigen would. Its own way orders matrices of each scalar type by other code, which every
-  // program would have to compile.
+  explicit Simplicial_unordered_solver(Go_further go_further) : m_go_further(std::move(go_further)) {}
+
+  // The order is that of the pattern alone, so that one function orders matrices of any scalar type.
   bool factorize(const Matrix& lower) override
   {
     CGAL_assertion(lower.isCompressed());
@@ -67,39 +73,57 @@ public:
     std::copy_n(lower.outerIndexPtr(), lower.cols() + 1, pattern.outerIndexPtr());
     std::copy_n(lower.innerIndexPtr(), lower.nonZeros(), pattern.innerIndexPtr());
     std::fill_n(pattern.valuePtr(), lower.nonZeros(), 1.);
-    const std::vector<int> order = minimum_degree_order(pattern.selfadjointView<Eigen::Lower>());
-    m_inverse_order = Permutation(Eigen::Map<const Eigen::VectorXi>(order.data(), lower.rows()));
-    m_order = m_inverse_order.inverse();
+    m_order = minimum_degree_order(pattern.selfadjointView<Eigen::Lower>());
+    Permutation permutation(lower.rows());
+    for(int i = 0; i < int(m_order.size()); ++i)
+      permutation.indices()[m_order[i]] = i;
     Matrix upper(lower.rows(), lower.cols());
-    upper.template selfadjointView<Eigen::Upper>() = lower.template selfadjointView<Eigen::Lower>().twistedBy(m_order);
-    m_solver.analyzePattern(upper);
-    m_solver.factorize(upper);
-    return m_solver.info() == Eigen::Success;
+    upper.template selfadjointView<Eigen::Upper>()
+      = lower.template selfadjointView<Eigen::Lower>().twistedBy(permutation);
+    m_factorization.analyze(upper);
+    return m_factorization.factorize(upper, m_go_further);
   }
   Vector solve(const Vector& right) override
   {
-    const Vector reordered = m_order * right, solution = m_solver.solve(reordered);
-    return m_inverse_order * solution;
+    Vector reordered(right.size()), result(right.size());
+    for(Eigen::Index i = 0; i < right.size(); ++i)
+      reordered[i] = right[m_order[i]];
+    m_factorization.solve(reordered);
+    for(Eigen::Index i = 0; i < right.size(); ++i)
+      result[m_order[i]] = reordered[i];
+    return result;
   }
 
 private:
-  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int> > m_solver;
-  Permutation m_order, m_inverse_order;
+  const Go_further m_go_further;
+  std::vector<int> m_order; // the unknown at each place
+  Simplicial_factorization<Scalar> m_factorization;
 };
 
-// What is used unless another solver is given.
+// What is used unless another solver is given. Factorizations end, as if they failed, once `go_further()` does not
+// want more; several threads may ask it at a time.
 class Simplicial_solver_source : public Linear_solver_source
 {
 public:
-  std::unique_ptr<Linear_solver> make_solver() const override { return std::make_unique<Simplicial_solver>(); }
+  explicit Simplicial_solver_source(Go_further go_further = always_go_further)
+    : m_go_further(std::move(go_further))
+  {}
+
+  std::unique_ptr<Linear_solver> make_solver() const override
+  {
+    return std::make_unique<Simplicial_solver>(m_go_further);
+  }
   std::unique_ptr<Symmetric_solver> make_symmetric_solver() const override
   {
-    return std::make_unique<Simplicial_unordered_solver<double> >();
+    return std::make_unique<Simplicial_unordered_solver<double> >(m_go_further);
   }
   std::unique_ptr<Hermitian_solver> make_hermitian_solver() const override
   {
-    return std::make_unique<Simplicial_unordered_solver<std::complex<double> > >();
+    return std::make_unique<Simplicial_unordered_solver<std::complex<double> > >(m_go_further);
   }
+
+private:
+  const Go_further m_go_further;
 };
 
 } // namespace internal

@@ -27,9 +27,10 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // The solver of programs that do not name another one.
-CGAL_SURFACE_MESH_CUTTING_INLINE std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&)
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&, const Go_further& go_further)
 {
-  return std::make_shared<Simplicial_solver_source>();
+  return std::make_shared<Simplicial_solver_source>(go_further);
 }
 
 } // namespace internal

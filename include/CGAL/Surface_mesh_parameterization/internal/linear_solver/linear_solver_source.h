@@ -20,6 +20,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/adapted_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/library.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <CGAL/Default.h>
 
 #include <functional>
@@ -34,6 +36,9 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
 
 // Where the solvers come from if the program gives one: that one solves all systems.
 class Given_solver_source : public Linear_solver_source
@@ -75,12 +80,15 @@ private:
 };
 
 // From what a program gives: nothing but `Default`, a reference to a solver, or a solver. Copies of models of
-// CGAL's concept may share what they hold, as `Eigen_solver_traits` does: such a model is lent.
+// CGAL's concept may share what they hold, as `Eigen_solver_traits` does: such a model is lent. Only factorizations
+// without a given solver end early, as if they failed, once `go_further()` does not want more.
 CGAL_SURFACE_MESH_CUTTING_INLINE
-std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&);
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&,
+                                                                      const Go_further& go_further = always_go_further);
 
 template <typename Solver>
-std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const std::reference_wrapper<Solver>& solver)
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const std::reference_wrapper<Solver>& solver,
+                                                                      const Go_further& = always_go_further)
 {
   static_assert(!std::is_const<Solver>::value, "Pass a solver that cannot be copied by std::ref().");
   const std::shared_ptr<void> no_owner;
@@ -88,7 +96,8 @@ std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const std:
 }
 
 template <typename Solver>
-std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Solver& solver)
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Solver& solver,
+                                                                      const Go_further& = always_go_further)
 {
   if constexpr(Has_eigen_interface<Solver>::value)
     return std::make_shared<Copied_solver_source<Solver> >(solver);
