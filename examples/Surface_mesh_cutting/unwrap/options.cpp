@@ -17,55 +17,53 @@
 namespace {
 
 const char* const description =
-  "Cuts a triangle mesh open and flattens it: reads a surface, finds a short cut after which it\n"
-  "lies flat with little distortion, and writes the mesh with texture coordinates.\n";
+  "Unwraps a triangle mesh: finds a short cut along which the surface opens and flattens with little\n"
+  "distortion, and writes the mesh with texture coordinates.\n";
 
 const char* const footer = R"(
-Input: OFF, OBJ, PLY and STL files, and what else CGAL reads. The mesh has to be a consistently
-oriented manifold of triangles. Nothing is repaired: vertices and faces keep number and order
-(only for STL, which has no indices, equal points become one vertex).
+Input: OFF, OBJ, PLY, STL, and whatever else CGAL reads. The mesh must be a consistently oriented
+manifold of triangles. Nothing is repaired: vertices and faces keep their number and order (only
+STL, which has no indices, gets its equal points merged).
 
-Output: texture coordinates have the scale of the surface. Corners share one unless a cut edge
-lies between them. All files appear together when the run is complete, or none.
+Output: texture coordinates are at the scale of the surface. Corners share one unless a cut edge
+lies between them. Either all files appear, when the run is complete, or none.
 
-Constraints: SEL is a .selection.txt file of CGAL with three lines of numbers counted from 0:
-vertices, faces, and edges as pairs of vertices. A file of weights has a line for each edge: its
-two vertices and its weight, at least 0, or inf for an edge that is not cut; other edges weigh
-their length.
+Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
+of vertices, all counted from 0. A file of weights has one line per edge: its two vertices and its
+weight, at least 0, or inf for an edge never to cut; the other edges weigh their length.
 
 Exit status:
   0  done
-  2  wrong usage, or an output that cannot be written
+  2  wrong usage, or an output cannot be written
   3  the input cannot be read, is truncated, or has indices out of range
-  4  the mesh is not supported: not triangles, not a manifold, inconsistently oriented,
-     coordinates that are not finite, no faces; or no cut satisfies the constraints; the
-     message says where, counting from 0
+  4  the mesh is not supported (not triangles, not a manifold, inconsistently oriented,
+     coordinates that are not finite, no faces), or no cut satisfies the constraints; the message
+     says where, counting from 0
   5  no valid result was found
-  6  stopped by the time limit, which counts from the start of the program, or by Ctrl-C (a
-     second Ctrl-C ends at once); if a valid result was there by then, it is written, and the
-     message says so
-  7  the result is valid, but a requested bound was not reached
-With 2 to 5, nothing but the JSON report is written. No output replaces an input or another output;
-where --json names such a place, there is no report. If the command line is not understood, a
-report replaces a former report at most.
+  6  stopped by the time limit, which counts from the start of the program, or by Ctrl-C (a second
+     Ctrl-C ends at once); a valid result found by then is written, and the message says so
+  7  the result is valid, but misses a requested bound
+With 2 to 5, only the JSON report is written. No output replaces an input or another output; if
+--json names such a place, there is no report. If the command line is not understood, the report
+replaces at most a former report.
 
 Examples:
   unwrap cow.off
       writes cow.uv.obj
 Output:
   unwrap cow.off -o flat.obj --texture check.png
-      look at flat.obj in any viewer: where the squares are square, nothing is distorted
+      open flat.obj in any viewer: where the squares are square, nothing is distorted
   unwrap cow.off --svg flat.svg --json -
-      a picture, and measures on the terminal
+      a picture, and the measures on the terminal
 Method:
   unwrap cow.off --max-distortion 4.1 --bijective
-      the shortest cut found with which distortion is hardly visible and nothing overlaps
+      the shortest cut found that leaves barely visible distortion and no overlaps
 Constraints:
   unwrap cow.off --never-cut face.selection.txt --edge-weights visibility
-      no cut across the face, elsewhere where it is hardly seen
+      no cut across the face, and elsewhere where it is hard to see
 Computation:
   unwrap cow.off --effort best --time-limit 60
-      at most a minute, then the best result so far
+      the best result found within a minute
 )";
 
 [[noreturn]] void refuse(const std::string& message)
@@ -125,14 +123,14 @@ void add_output_options(CLI::App& app, Options& options)
     ->type_name("OUT.obj")->group(group);
   app.add_option("--json", options.json, "Report of measures; - is the standard output")
     ->type_name("FILE")->group(group);
-  app.add_option("--svg", options.svg, "Picture of the layout, colored by distortion, and\nplot of length against distortion")
+  app.add_option("--svg", options.svg, "Picture of the layout, colored by distortion, and a\nplot of length against distortion")
     ->type_name("FILE")->group(group);
   app.add_option("--texture", options.texture,
-                 "Checkerboard image, which OUT.obj then shows\n(adds OUT.mtl beside it)")
+                 "Checkerboard image, shown by OUT.obj\n(writes OUT.mtl beside it)")
     ->type_name("FILE.png")->group(group);
-  app.add_option("--obj-cut", options.obj_cut, "The cut as lines, its feature points as points,\nin the OBJ format")
+  app.add_option("--obj-cut", options.obj_cut, "The cut as lines and its feature points as points,\nin OBJ format")
     ->type_name("FILE")->group(group);
-  app.add_flag("--quiet", options.is_quiet, "No progress, no summary; errors and warnings remain")
+  app.add_flag("--quiet", options.is_quiet, "No progress and no summary, only errors and warnings")
     ->group(group);
 }
 
@@ -141,65 +139,65 @@ void add_method_options(CLI::App& app, Options& options)
   const std::string group = "Method";
   constexpr double largest = 1e9, ideal = 4;
   app.add_option("--effort", options.effort,
-                 "Work put into a short cut; fast does not shorten it,\nbest tries several starts and many variants")
+                 "How hard to look for a short cut: fast does not shorten\nit, best tries several starts and many variants")
     ->check(CLI::IsMember({"fast", "default", "best"}))->default_str(options.effort)->group(group);
   app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
   app.add_option("--connect", options.connect,
-                 "How the feature points are connected: minimum spanning tree,\nshortest path heuristic, "
-                 "auxiliary points added and exchanged\n(with --faithful only added), proven shortest, or the\nbest within a budget")
+                 "How to connect the feature points: minimum spanning tree,\nshortest path heuristic, "
+                 "auxiliary points added and exchanged\n(only added with --faithful), proven shortest, or the\nbest within a budget")
     ->check(CLI::IsMember({"mst", "sph", "greedy", "exact", "best"}))
     ->default_str("best; greedy if --faithful")->group(group);
-  app.add_flag("--bijective", options.is_bijective, "No part of the layout lies on top of another one")
+  app.add_flag("--bijective", options.is_bijective, "No two parts of the layout overlap")
     ->group(group);
   app.add_option_function<std::string>(
        "--max-distortion",
        [&options](const std::string& word)
        { options.maximum_average_distortion = parse_bound("--max-distortion", word, ideal, largest); },
-       "Mean energy to stay below; 4 is no distortion at all,\n4.1 is hardly visible")
+       "Upper bound on the mean energy; 4 means no distortion,\n4.1 is barely visible")
     ->type_name("B")->default_str("none")->group(group);
   add_number<double>(app, "--eps-iso", options.eps_iso,
-                     "Decrease of the mean energy that makes a point worth a cut", 0, largest)
+                     "Decrease of the mean energy that justifies a feature point", 0, largest)
     ->type_name("X")->default_str("0.01")->group(group);
   add_number<double>(app, "--eps-len", options.eps_len,
-                     "Decrease of the length that makes an auxiliary point\nworth it (greedy, --faithful), "
-                     "in bounding box diagonals", 0, largest)
+                     "Decrease of the length, in bounding box diagonals, that\njustifies an auxiliary point "
+                     "(greedy with --faithful)", 0, largest)
     ->type_name("X")->default_str("0.01")->group(group);
   add_number<double>(app, "--alpha", options.alpha,
-                     "Share of the area that has to lie far from the first cut", 0, 1)
+                     "Least share of the area far from the first cut", 0, 1)
     ->type_name("X")->default_str("0.1")->group(group);
   add_number<double>(app, "--beta", options.beta,
-                     "Scope of influence of a sure feature point, in mean\nedge lengths", 0, largest)
+                     "Influence radius, in mean edge lengths, above which a\ncandidate is a feature point from the start", 0, largest)
     ->type_name("X")->default_str("20")->group(group);
 }
 
 void add_constraint_options(CLI::App& app, Options& options)
 {
   const std::string group = "Constraints";
-  app.add_option("--must-cut", options.must_cut, "Edges that are cut in any case; they may separate the mesh")
+  app.add_option("--must-cut", options.must_cut, "Edges to cut in any case; they may separate the mesh")
     ->type_name("SEL")->group(group);
-  app.add_option("--never-cut", options.never_cut, "Edges that are not cut")->type_name("SEL")->group(group);
+  app.add_option("--never-cut", options.never_cut, "Edges never to cut")->type_name("SEL")->group(group);
   app.add_option("--initial-cut", options.initial_cut,
-                 "A cut to start from, such as seams drawn by hand; it is connected,\nextended and shortened, and its edges need not stay")
+                 "Cut to start from, such as seams drawn by hand; it is connected,\nextended and shortened, and may lose edges")
     ->type_name("SEL")->group(group);
-  app.add_option("--terminals", options.terminals, "Vertices that the cut passes through")
+  app.add_option("--terminals", options.terminals, "Vertices the cut must pass through")
     ->type_name("SEL")->group(group);
   app.add_option("--edge-weights", options.edge_weights,
-                 "What it costs to cut an edge, instead of its length:\ncheap at creases, cheap out of sight, or from a file")
+                 "Cost of cutting an edge, instead of its length: low at\ncreases, low where hidden, or from a file")
     ->type_name("crease|visibility|FILE")->group(group);
 }
 
 void add_run_options(CLI::App& app, Options& options)
 {
   const std::string group = "Computation";
-  add_number<std::uint32_t>(app, "--seed", options.seed, "Start of the random numbers", 0,
+  add_number<std::uint32_t>(app, "--seed", options.seed, "Seed of the random numbers", 0,
                             (std::numeric_limits<std::uint32_t>::max)())
     ->type_name("N")->default_str("0")->group(group);
   add_number<int>(app, "--threads", options.threads,
                   "Number of threads; the result does not depend on it", 1, 1024)
     ->type_name("N")->default_str("all cores")->group(group);
-  app.add_option("--solver", options.solver, "Solver of linear systems")
+  app.add_option("--solver", options.solver, "Sparse linear solver")
     ->check(CLI::IsMember(available_solvers()))->default_str(options.solver)->group(group);
-  add_number<double>(app, "--time-limit", options.time_limit, "Stop after so many seconds", 0, 1e9)
+  add_number<double>(app, "--time-limit", options.time_limit, "Stop after S seconds", 0, 1e9)
     ->type_name("S")->default_str("none")->group(group);
 }
 
