@@ -74,7 +74,7 @@ class Runner:
         if process.returncode != 0:
             return Outcome(False, "crash", 0, 0, 0)
         rows = list(csv.DictReader(process.stdout.splitlines()))
-        return outcome_of_trees(rows) if run.kind == "trees" else outcome_of_pipeline(rows[0])
+        return outcome_of_pipeline(rows[0]) if PROGRAMS[run.kind].name == "pipeline" else outcome_of_trees(rows)
 
 
 def outcome_of_pipeline(row):
