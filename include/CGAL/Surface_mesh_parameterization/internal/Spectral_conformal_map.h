@@ -61,8 +61,8 @@ public:
   // False if the factorization fails, or once `go_further()` does not want more.
   bool solve(const Linear_solver_source& linear_solvers, const Go_further& go_further)
   {
-    constexpr int maximum_iterations = 50;
-    constexpr double tolerance = 1e-4;
+    constexpr int maximum_iterations = 50; // a limit: about ten are usual
+    constexpr double tolerance = 1e-4;     // the angle between iterates; only where the map is distorted matters
 
     // The constants have no energy: a trace of the mass makes the matrix positive definite and
     // leaves the eigenvectors what they are.

@@ -79,9 +79,12 @@ private:
   // only. The paper does not repair.
   double repair_threshold(const std::vector<Trade_off>& cuts) const
   {
+    constexpr double repaired_excess = 2;
     if(!cuts.empty() && m_problem.initial.is_given())
       return cuts.front().average_distortion + m_parameters.minimum_distortion_decrease;
-    return cuts.empty() || m_parameters.use_published_method ? std::numeric_limits<double>::infinity() : 2 * cuts.back().average_distortion;
+    if(cuts.empty() || m_parameters.use_published_method)
+      return std::numeric_limits<double>::infinity();
+    return repaired_excess * cuts.back().average_distortion;
   }
 
   std::vector<Candidate> find(int start, Cut& opening, Detected_features& result)

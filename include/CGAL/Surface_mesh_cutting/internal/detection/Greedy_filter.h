@@ -125,7 +125,7 @@ private:
 
   bool gives_up() const
   {
-    constexpr std::size_t enough_hopeless_features = 50;
+    constexpr std::size_t enough_hopeless_features = 50; // a limit: on a hopeless map, every slit gains
     return map().is_hopeless() && m_features.size() > enough_hopeless_features;
   }
 
@@ -254,7 +254,7 @@ private:
   // vertex under the same test, until several proposals in a row, far from each other, fail.
   void judge_most_distorted()
   {
-    constexpr int maximum_failures = 3;
+    constexpr int maximum_failures = 3; // in a row
     const double reach = m_parameters.candidate_radius * average_edge_length(m_mesh);
     std::vector<char> is_excluded = m_is_on_cut;
     const std::vector<char> is_reachable = reachable_vertices(m_mesh, m_constraints);

@@ -204,8 +204,10 @@ inline std::vector<int> second_cut(const Indexed_mesh& mesh, int start, const st
                                    const std::vector<int>& first_maximizers, const Cutting_parameters& parameters,
                                    Run_control& control)
 {
-  constexpr double shrinking = 0.9;
-  const double useful_length = parameters.use_published_method ? 0 : 0.1 * total_length(mesh, first_cut);
+  constexpr double shrinking = 0.9;        // of the radius, for the next attempt (paper)
+  constexpr double smallest_radius = 0.01; // in average edges: what it excludes is next to nothing
+  constexpr double useful_share = 0.1;     // of the first cut's length: a shorter path opens too little to flatten
+  const double useful_length = parameters.use_published_method ? 0 : useful_share * total_length(mesh, first_cut);
   Shortest_paths from_centers(mesh.graph());
   double area = 0;
   for(int e : first_cut)
@@ -234,7 +236,7 @@ inline std::vector<int> second_cut(const Indexed_mesh& mesh, int start, const st
       if(radius == 0 || total_length(mesh, path) >= useful_length)
         return path;
     }
-    radius = radius > 0.01 * average ? shrinking * radius : 0;
+    radius = radius > smallest_radius * average ? shrinking * radius : 0;
   }
   return {};
 }

@@ -165,7 +165,7 @@ inline Initial_features initialize_features(const Indexed_mesh& mesh, const Edge
     if(threshold < 0)
       return initial; // a surface without extent, on which all candidates are one
     threshold = small.empty() ? 0 : 0.5 * threshold;
-    if(threshold <= 1e-6 * average)
+    if(threshold <= 1e-6 * average) // few edges, and no scopes, are as short
       threshold = -1; // all are features, no disk is left
   }
 }

@@ -125,8 +125,8 @@ private:
 // Finds loops after which each part that the mandatory cut leaves is as connected as before and has
 // genus 0. They are chosen one after the other, each close to the shortest that the former ones
 // leave. Several loops may meet and overlap, as they must on coarse meshes with many handles.
-// O(g (n log n + g n) + s), where s is the total size of the balls searched. `go_further` is
-// asked before each loop.
+// Each is longer by at most `tolerance`, relative, than the shortest. O(g (n log n + g n) + s), where s is the total
+// size of the balls searched. `go_further` is asked before each loop.
 inline Handle_loops cut_handles(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                 const Go_further& go_further = always_go_further, double tolerance = 0.05)
 {

@@ -45,7 +45,7 @@ inline Steiner_method steiner_method(Connection connection, bool use_published_m
   }
 }
 
-// The sizes and budgets were found by measuring; all count work, not seconds.
+// The sizes and budgets were found by measuring (see benchmark/constants); all count work, not seconds.
 inline void set_effort(Effort effort, Cutting_parameters& p)
 {
   const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();

@@ -141,7 +141,7 @@ public:
   // always goes on.
   void converge()
   {
-    constexpr int patience = 6;
+    constexpr int patience = 6; // factorizations; near the optimum, fewer suffice
     const bool may_start_anew = m_policy.first_map == First_map::HIERARCHY;
     Newton_options o = options();
     if(may_start_anew)
@@ -176,7 +176,7 @@ public:
   double estimate_gain(const std::vector<int>& slit)
   {
     const Trial trial = begin(slit);
-    constexpr int number_of_radii = 3;
+    constexpr int number_of_radii = 3; // down to half the slit's length; also the solves instead of a window
     double radius = 2 * total_length(m_mesh, slit);
     bool is_small = false;
     for(int i = 0; i < number_of_radii && !is_small; ++i, radius /= 2)
@@ -320,12 +320,13 @@ private:
     Newton_solver solver(std::move(window.triangles), int(window.vertices.size()), m_policy.linear_solvers,
                          std::move(window.is_fixed));
     const double before = solver.energy<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv);
-    // An estimate needs about a tenth of the gain.
+    constexpr double decided = 0.01;  // of the threshold: what is left no longer matters
+    constexpr double estimated = 0.1; // of the gain so far: slits differ by more
     Newton_options o;
     o.go_further = m_go_further;
     o.stop = [&](const Newton_state& s)
     {
-      const double tolerance = std::isfinite(threshold) ? 0.01 * threshold : 0.1 * (before - s.energy);
+      const double tolerance = std::isfinite(threshold) ? decided * threshold : estimated * (before - s.energy);
       return gain_so_far + before - s.energy > threshold || s.decrement < tolerance;
     };
     const Newton_result result

@@ -56,7 +56,7 @@ public:
   // small against the chart.
   bool collect(const std::vector<int>& slit, double radius)
   {
-    constexpr double largest_share = 0.25;
+    constexpr double largest_share = 0.25; // of the faces: a larger window costs about as much as the whole
     const std::size_t largest = std::size_t(largest_share * m_mesh.number_of_faces());
     m_reach.clear();
     for(int e : slit)
@@ -67,7 +67,7 @@ public:
     std::vector<int> faces;
     m_reach.run([&](int v)
                 {
-                  if(m_reach.distance(v) > radius || faces.size() > 6 * largest)
+                  if(m_reach.distance(v) > radius || faces.size() > 6 * largest) // each comes up six times
                     return false;
                   for(int a = m_mesh.graph().offsets[v]; a < m_mesh.graph().offsets[v + 1]; ++a)
                   {

@@ -108,7 +108,7 @@ public:
   // the slits; it is taken if it keeps the bound, too. False if no slit helps any more.
   bool reduce_distortion_to(double bound, double least_gain = 0)
   {
-    constexpr int maximum_number_of_rounds = 3;
+    constexpr int maximum_number_of_rounds = 3; // of slits and a new tree each
     for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain); ++round)
     {
       Mapped_cut former = state();
@@ -243,7 +243,8 @@ private:
   // Until so many attempts have failed.
   void drop_branches(const Refinement_limits& limits, int maximum_number_of_failures, const std::vector<char>& is_kept)
   {
-    const double shortest = 0.1 * m_parameters.connection.minimum_length_decrease; // worth a solve
+    constexpr double worthwhile = 0.1; // of epsilon_len: removing less is not worth a solve
+    const double shortest = worthwhile * m_parameters.connection.minimum_length_decrease;
     const auto allowed_cost = [&](double length)
     { return length < shortest ? 0 : largest_energy(limits, m_map.energy(), length) - m_map.energy(); };
     int number_of_failures = 0;
@@ -285,7 +286,8 @@ private:
   // Opens slits until more of the cut can be closed than was opened. False if no slit is left to try.
   bool exchange(const Refinement_limits& limits, std::vector<char>& is_kept)
   {
-    constexpr int maximum_number_of_slits = 3, number_of_attempts = 4;
+    constexpr int maximum_number_of_slits = 3; // that only pay together
+    constexpr int number_of_attempts = 4;      // that may fail after each slit, each a solve
     Mapped_cut former = state();
     const bool needs_tree = limits.keeps_tree && is_tree();
     bool has_slit = false;

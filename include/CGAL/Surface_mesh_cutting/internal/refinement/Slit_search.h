@@ -50,7 +50,7 @@ public:
   // `is_excluded` holds, per vertex, where no slit may end. The tip is -1 if there is none.
   Slit best(Incremental_parameterization& map, const std::vector<char>& is_excluded)
   {
-    constexpr std::size_t number_of_trials = 12;
+    constexpr std::size_t number_of_trials = 12; // each costs the solve of a window
     measure_distances(map.cut());
     const std::vector<double> distortion = map.vertex_distortion();
     std::vector<double> score(distortion.size(), 0);

@@ -227,7 +227,9 @@ private:
     }
     std::stable_sort(boxes.begin(), boxes.end(),
                      [](const Box& a, const Box& b) { return a.size.y() > b.size.y(); });
-    const double gap = 0.02 * std::sqrt(area), width = (std::max)(widest, 1.2 * std::sqrt(area));
+    constexpr double gap_share = 0.02;  // between charts, of the side of a square of their area: visible
+    constexpr double width_share = 1.2; // of rows, of that side: boxes and gaps leave some area empty
+    const double side = std::sqrt(area), gap = gap_share * side, width = (std::max)(widest, width_share * side);
     Eigen::Vector2d corner(0, 0);
     double row_height = 0;
     std::vector<char> is_moved(result.uv.size(), 0);

@@ -146,10 +146,12 @@ private:
     // As long as no round keeps the bound: about twenty seconds, after which none has been seen to keep it.
     constexpr double maximum_number_of_solved_faces = 5e6;
     double number_of_solved_faces = 0;
-    const double bound = m_parameters.maximum_average_distortion, precision = 0.02 * (bound - ideal);
-    // Down by what is missing, and not by less than a tenth nor by more than half of what is left.
+    // Of what the bound leaves above the ideal: how precisely the target is found, and the shortest step to it.
+    constexpr double relative_precision = 0.02, shortest_step = 0.1;
+    const double bound = m_parameters.maximum_average_distortion, precision = relative_precision * (bound - ideal);
+    // Down by what is missing, and not by more than half of what is left.
     const auto lowered = [&](double former, double missing)
-    { return (std::max)(former - (std::max)(missing, 0.1 * (bound - ideal)), (former + ideal) / 2); };
+    { return (std::max)(former - (std::max)(missing, shortest_step * (bound - ideal)), (former + ideal) / 2); };
     double failed = bound, kept = ideal, target = lowered(bound, best.energy - bound);
     for(int round = 0; round < maximum_number_of_rounds && failed - kept > precision && best.status; ++round)
     {

@@ -45,8 +45,9 @@ inline Indexed_status cut_handles_of(Problem& problem, const Context& context)
 // simpler. A given cut lies on the surface itself.
 inline bool is_coarsened(const Problem& problem, const Cutting_parameters& parameters)
 {
+  constexpr double least_ratio = 1.25;
   return parameters.coarse_number_of_faces > 0 && !problem.initial.is_given() &&
-         4 * problem.mesh.number_of_faces() > 5 * parameters.coarse_number_of_faces;
+         problem.mesh.number_of_faces() > least_ratio * parameters.coarse_number_of_faces;
 }
 
 // Whether a connected cut is refined where its features were found.

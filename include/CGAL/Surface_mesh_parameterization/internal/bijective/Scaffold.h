@@ -174,7 +174,7 @@ private:
   // bending. The border itself is never split: what cannot be improved otherwise stays.
   void refine()
   {
-    constexpr int maximum_passes = 16;
+    constexpr int maximum_passes = 16; // a limit
     std::vector<Off_center> centers;
     for(int pass = 0; pass < maximum_passes; ++pass)
     {
@@ -213,7 +213,7 @@ private:
     // Where the apex over this edge would just make the triangle good enough.
     const double good_height
       = length * (largest_ratio + std::sqrt(largest_ratio * largest_ratio - 0.25));
-    constexpr double clearance = 0.6;
+    constexpr double clearance = 0.6; // of the base: closer points would make slimmer triangles
     centers.push_back({origin + 0.5 * base + (std::min)(height, good_height) * normal,
                        clearance * length});
   }

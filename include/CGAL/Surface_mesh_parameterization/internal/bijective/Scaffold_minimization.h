@@ -59,7 +59,7 @@ public:
   // stays injective; that no triangle has flipped is checked exactly after every round.
   Newton_result operator()(std::vector<Eigen::Vector2d>& uv)
   {
-    constexpr int maximum_rounds = 30;
+    constexpr int maximum_rounds = 30; // a limit
     Newton_result result;
     result.energy = energy(uv);
     result.outcome = Newton_outcome::ITERATION_LIMIT;
@@ -95,7 +95,7 @@ private:
   Newton_outcome do_round(std::vector<Eigen::Vector2d>& uv, Newton_result& total)
   {
     constexpr double scaffold_weight = 1e-3; // that of the chart is 1
-    constexpr int factorizations = 3;
+    constexpr int factorizations = 3;        // then the scaffold has become stiff
     if(!m_scaffold.build(m_chart, uv))
       return Newton_outcome::FAILED;
     const int n = m_chart.number_of_vertices();

@@ -52,7 +52,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
   {
     Scaffold_options stage_options = options;
-    stage_options.decrease = 1e-2;
+    stage_options.decrease = 1e-2; // the next stage goes on
     stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_coarse_stage;
     return Scaffold_minimization(stage.chart, stage.shapes, linear_solvers, stage_options)(stage_uv).outcome;
   };

@@ -79,7 +79,7 @@ public:
                const std::vector<Triangle>& chart)
     : m_surface(surface), m_points(points), m_chart(chart), m_shapes(rest_shapes(surface, points))
   {
-    constexpr double height_that_rounding_spoils = 1e-7;
+    constexpr double height_that_rounding_spoils = 1e-7; // of the longest edge: at most nine digits are left
     for(std::size_t f = 0; f < m_shapes.size(); ++f)
       if(!is_higher(surface[f], height_that_rounding_spoils))
       {

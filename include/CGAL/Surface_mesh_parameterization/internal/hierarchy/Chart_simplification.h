@@ -152,6 +152,9 @@ private:
   // Whether no remaining triangle turns over or becomes a needle.
   bool keeps_shape(int v, int j) const
   {
+    constexpr double smallest_cosine = 0.2; // between the normals before and after
+    constexpr double good_quality = 0.15;   // enough for any triangle
+    constexpr double kept_quality = 0.5;    // of a worse triangle, relative
     const Eigen::Vector3d &p = m_points[v], &q = m_points[m_ring[j]];
     const int size = int(m_ring.size());
     for(int i = 0; i < int(m_fan.size()); ++i)
@@ -162,9 +165,9 @@ private:
       const Eigen::Vector3d &a = m_points[m_ring[i]], &b = m_points[m_ring[next]];
       const Eigen::Vector3d edge = b - a;
       const Eigen::Vector3d before = edge.cross(p - a), after = edge.cross(q - a);
-      if(before.dot(after) < 0.2 * before.norm() * after.norm())
+      if(before.dot(after) < smallest_cosine * before.norm() * after.norm())
         return false;
-      if(quality(edge, q - a, after) < (std::min)(0.15, 0.5 * quality(edge, p - a, before)))
+      if(quality(edge, q - a, after) < (std::min)(good_quality, kept_quality * quality(edge, p - a, before)))
         return false;
     }
     return true;

@@ -46,7 +46,7 @@ public:
   // False if flips remain. O(n), and for each repair about the size of a star.
   bool operator()(std::vector<Eigen::Vector2d>& uv)
   {
-    constexpr int maximum_number_of_passes = 20;
+    constexpr int maximum_number_of_passes = 20; // a limit
     for(int v = 0; v < m_number_of_rounded; ++v)
       uv[v] = m_round(uv[v]);
     std::vector<int> flipped;
@@ -99,7 +99,7 @@ private:
   // Whether fewer triangles around the vertex are flipped now.
   bool improve(int v, std::vector<Eigen::Vector2d>& uv)
   {
-    constexpr double shortest_move = 1e-6, growth = 4;
+    constexpr double shortest_move = 1e-6, growth = 4; // of the way to the middle: from what `float` resolves
     Eigen::Vector2d middle;
     if((v < int(m_is_fixed.size()) && m_is_fixed[v]) || !kernel_centroid(v, uv, middle))
       return false;

@@ -79,7 +79,8 @@ public:
   // From a center that makes all triangles positive.
   static void improve(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
   {
-    constexpr int maximum_steps = 8, maximum_trials = 20;
+    constexpr int maximum_steps = 8, maximum_trials = 20; // limits
+    constexpr double decrement_to_stop = 1e-3;            // of the energy; the global solve does the rest
     double e = energy(star, center);
     Triangle_terms terms;
     for(int i = 0; i < maximum_steps; ++i)
@@ -94,7 +95,7 @@ public:
       }
       const Eigen::Vector2d step = hessian.inverse() * gradient;
       const double decrement = gradient.dot(step);
-      if(!(decrement > 1e-3 * e))
+      if(!(decrement > decrement_to_stop * e))
         return;
       double t = 1, next = energy(star, center - step);
       for(int k = 0; k < maximum_trials && !(next < e); ++k)

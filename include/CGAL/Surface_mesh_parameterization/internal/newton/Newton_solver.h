@@ -50,7 +50,7 @@ struct Newton_state
 
 struct Newton_options
 {
-  int maximum_iterations = 200;
+  int maximum_iterations = 200; // factorizations
   double decrement = 1e-6; // as a fraction of the energy
   Go_further go_further = always_go_further;
   // Whether what is known decides what the solve is for, so that the iteration may end.
@@ -100,6 +100,9 @@ public:
   Newton_result minimize(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
                          std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
+    // Of the gain that a direction predicts: a factorization serves as long as its directions keep that much.
+    constexpr double least_share = 0.1;
+    constexpr double rounding = 1e-14; // of the energy: its sum over a million triangles is no more exact
     const Release release{*m_solver};
     Newton_result result;
     std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
@@ -139,13 +142,12 @@ public:
         const double former = result.energy;
         const double t = line_search<Energy>(shapes, weights, direction, uv, trial, result);
         const double decrease = former - result.energy;
-        if(is_converged || (i == 0 && decrease <= 1e-14 * former))
+        if(is_converged || (i == 0 && decrease <= rounding * former))
         {
           result.outcome = is_converged ? Newton_outcome::CONVERGED : Newton_outcome::STALLED;
           return result;
         }
-        // A factorization serves as long as it predicts what its directions gain.
-        if(decrease < 0.1 * result.decrement || !find_reused_direction<Energy>(shapes, weights, uv, t, result))
+        if(decrease < least_share * result.decrement || !find_reused_direction<Energy>(shapes, weights, uv, t, result))
           break;
       }
       if(result.iterations >= options.maximum_iterations)
@@ -192,7 +194,7 @@ private:
   // square root of the number of unknowns times as much as a direction.
   int maximum_reuse() const
   {
-    constexpr int least = 8, most = 30;
+    constexpr int least = 8, most = 30; // directions; L-BFGS keeps two vectors for each
     return std::clamp(int(std::sqrt(double(m_system.number_of_unknowns())) / 10), least, most);
   }
 
@@ -265,8 +267,9 @@ private:
                    const std::vector<Eigen::Vector2d>& direction, std::vector<Eigen::Vector2d>& uv,
                    std::vector<Eigen::Vector2d>& trial, Newton_result& result) const
   {
-    constexpr double armijo = 1e-4, backtracking = 0.5, margin = 0.9;
-    constexpr int maximum_trials = 60;
+    constexpr double armijo = 1e-4, backtracking = 0.5; // the usual ones
+    constexpr double margin = 0.9;                      // of the way to the first flip, where the energy is infinite
+    constexpr int maximum_trials = 60;                  // no digit of the step is left after these
     const auto move = [&](double t)
     {
       for(std::size_t v = 0; v < uv.size(); ++v)

@@ -45,7 +45,7 @@ public:
     search_locally();
     // The program with few states first. As often as these do not suffice, the same effort once more for the
     // bounds on both sides pays before it gets four times as many.
-    if(!m_instance.reduce(1, 0.7, m_go_further))
+    if(!m_instance.reduce(1, quick_ratio, m_go_further))
       return;
     std::size_t divisor = 1;
     while(m_maximum_number_of_states / divisor / 4 >= minimum_number_of_states)
@@ -55,7 +55,7 @@ public:
       if(m_instance.search(states, m_go_further))
         return;
       recombine(double(states));
-      if(divisor == 1 || !m_instance.reduce(number_of_rounds(states), 0.98, m_go_further))
+      if(divisor == 1 || !m_instance.reduce(number_of_rounds(states), slow_ratio, m_go_further))
         return;
     }
   }
@@ -67,8 +67,13 @@ public:
 private:
   static constexpr std::size_t minimum_number_of_states = 500000; // of the first run of the program
   static constexpr int batch_size = 2; // unions of more trees are seldom solved with few states
+  // Reductions go on while a round leaves at most this part of the edges: little is done before the first run
+  // of the program, nearly all there is to do before runs with many states.
+  static constexpr double quick_ratio = 0.7, part_ratio = 0.9, slow_ratio = 0.98;
+  static constexpr double effort_per_part = 100;           // of a recombination, for one union of trees
+  static constexpr double maximum_number_of_trials = 1000; // on graphs so small that effort is no limit
 
-  // A round of reductions costs about as much as a state for each edge.
+  // A round of reductions costs about as much as a state for each edge; at most four.
   int number_of_rounds(std::size_t states) const
   {
     const std::size_t size = std::size_t(m_instance.graph().number_of_edges());
@@ -95,7 +100,7 @@ private:
     const Csr_graph& graph = m_instance.graph();
     const std::vector<int>& terminals = m_instance.terminals();
     const double work = double(graph.arcs.size()) * double(terminals.size());
-    const int number_of_trials = int((std::min)(1000., effort / work));
+    const int number_of_trials = int((std::min)(maximum_number_of_trials, effort / work));
     Tree best;
     std::vector<char> is_unused(graph.number_of_edges(), 1);
     for(int i = 0; i < number_of_trials && m_go_further(); ++i) {
@@ -112,8 +117,8 @@ private:
         best = tree;
       if((i + 1) % batch_size == 0 || i + 1 == number_of_trials) {
         Bounded_instance part(graph, terminals, is_unused, best, m_go_further);
-        if(part.reduce(2, 0.9, m_go_further))
-          part.search(std::size_t(effort / 100.), m_go_further);
+        if(part.reduce(2, part_ratio, m_go_further))
+          part.search(std::size_t(effort / effort_per_part), m_go_further);
         best = part.tree();
         is_unused.assign(graph.number_of_edges(), 1);
         for(int e : best.edges)

@@ -63,8 +63,8 @@ public:
   };
 
 private:
-  static constexpr int block_size = 64;
-  static constexpr int number_of_searches_at_once = 16;
+  static constexpr int block_size = 64; // vertices: half a kilobyte per point, which caches hold
+  static constexpr int number_of_searches_at_once = 16; // work for threads between two questions whether to go on
 
   const Csr_graph* m_graph;
   std::vector<int> m_terminals;

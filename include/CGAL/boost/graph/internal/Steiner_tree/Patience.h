@@ -36,7 +36,7 @@ public:
   // to be called at each step
   bool lasts()
   {
-    if(++m_number_of_steps % 1024 == 0)
+    if(++m_number_of_steps % 1024 == 0) // well below a millisecond
       m_is_over = m_is_over || !m_go_further();
     return !m_is_over;
   }

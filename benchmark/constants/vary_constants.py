@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""Doubles and halves each constant of constants.csv, and compares the results with those of the library as it is.
+
+usage: vary_constants.py [--meshes FOLDER] [--build FOLDER] [--only REGEX] [--repetitions N]
+       vary_constants.py --table
+
+Builds the benchmark programs once against headers whose constants can be varied (varied_headers.py), runs those
+that read the constant, and adds a line for each constant and factor to BUILD/results.csv. Lines that are there are
+not measured again. --table prints these as the table of README.md."""
+
+import argparse
+import collections
+import csv
+import itertools
+import os
+import pathlib
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+
+import varied_headers
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+FACTORS = (0.5, 2)
+FIELDS = ["constant", "factor", "runs", "changed", "failed", "length", "energy", "time"]
+LEAST_TIME = 10  # per cent; on a machine with other work, repetitions differ by up to seven
+
+Program = collections.namedtuple("Program", "name options meshes")
+SMALL = ["anchor", "eight", "hand", "helmet", "joint", "rotor", "sphere", "spool"]
+PROGRAMS = {
+    "default": Program("pipeline", [], SMALL + ["bear_bis", "boeing", "cactus", "elk", "fandisk", "head", "mushroom",
+                                                "pinion", "three_peaks"]),
+    "medium": Program("pipeline", [], ["cow", "dino", "femur", "triceratops"]),
+    "bijective": Program("pipeline", ["--bijective", "--effort", "fast"],
+                         ["boeing", "cactus", "couplingdown", "elephant", "elephant-with-holes", "elk", "holes",
+                          "three_peaks", "triceratops"]),
+    "bound": Program("pipeline", ["--max-distortion", "4.1"], SMALL),
+    "bijective_bound": Program("pipeline", ["--bijective", "--max-distortion", "4.15", "--effort", "fast"],
+                               ["cactus", "couplingdown", "handle"]),
+    "fast_bound": Program("pipeline", ["--max-distortion", "4.1", "--effort", "fast"], SMALL),
+    "coarse_bound": Program("pipeline", ["--max-distortion", "4.05", "--effort", "fast"], ["fandisk"]),
+    "best": Program("pipeline", ["--effort", "best"], ["anchor", "eight", "helmet", "joint", "sphere"]),
+    "published": Program("pipeline", ["--faithful"], SMALL + ["elk", "head", "mushroom", "pinion"]),
+    "handles": Program("pipeline", ["--effort", "fast"], ["anchor", "eight", "elephant", "elk", "helmet", "joint",
+                                                          "knot1", "pinion", "rotor"]),
+    "trees": Program("connect_many_terminals", ["60", "1"], ["cactus", "hand", "head"]),
+}
+
+Run = collections.namedtuple("Run", "kind mesh")
+Outcome = collections.namedtuple("Outcome", "is_done result length energy seconds")
+
+
+class Runner:
+    def __init__(self, binaries, meshes):
+        self.binaries, self.meshes = binaries, meshes
+
+    def command(self, run):
+        program = PROGRAMS[run.kind]
+        mesh = str(self.meshes / (run.mesh + ".off"))
+        options = ["--repetitions", "1"] if program.name == "pipeline" else []
+        return [str(self.binaries / program.name), mesh, *program.options, *options]
+
+    def __call__(self, run, time_limit, **variables):
+        """The outcome; not done if the program fails or takes too long."""
+        try:
+            process = subprocess.run(self.command(run), env={**os.environ, **variables}, timeout=time_limit,
+                                     stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
+        except subprocess.TimeoutExpired:
+            return Outcome(False, "time limit", 0, 0, time_limit)
+        if process.returncode != 0:
+            return Outcome(False, "crash", 0, 0, 0)
+        rows = list(csv.DictReader(process.stdout.splitlines()))
+        return outcome_of_pipeline(rows[0]) if PROGRAMS[run.kind].name == "pipeline" else outcome_of_trees(rows)
+
+
+def outcome_of_pipeline(row):
+    is_done = row["status"] == "done"
+    if not is_done:
+        return Outcome(False, row["status"], 0, 0, 0)
+    result = tuple(row[key] for key in ("candidates", "features", "auxiliary", "L", "E", "largest_face_distortion"))
+    return Outcome(True, result, float(row["L"]), float(row["E"]), float(row["total_s"]))
+
+
+def outcome_of_trees(rows):
+    result = tuple((row["length"], row["lower_bound"], row["optimal"]) for row in rows)
+    return Outcome(True, result, sum(float(row["length"]) for row in rows), 0,
+                   sum(float(row["cpu_seconds"]) for row in rows))
+
+
+def build(folder, constants):
+    """The folder of the programs. Their sources are copied, since they find the headers relative to themselves."""
+    varied_headers.write_varied_headers(ROOT / "include", folder / "include", constants)
+    shutil.copytree(ROOT / "benchmark", folder / "benchmark", dirs_exist_ok=True)
+    binaries = folder / "bin"
+    for package, program in (("Surface_mesh_cutting", "pipeline"), ("BGL", "connect_many_terminals")):
+        subprocess.run(["cmake", "-S", str(folder / "benchmark" / package), "-B", str(folder / package),
+                        "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_MODULE_PATH={ROOT / 'cmake'}",
+                        f"-DCMAKE_RUNTIME_OUTPUT_DIRECTORY={binaries}", "--log-level=ERROR"], check=True)
+        subprocess.run(["cmake", "--build", str(folder / package), "--target", program], check=True)
+    return binaries
+
+
+def references(runner, repetitions):
+    """For each run, its outcome with the median of the times, and the rows of the constants that it reads."""
+    result = {}
+    with tempfile.TemporaryDirectory() as folder:
+        read = pathlib.Path(folder) / "read"
+        for kind, program in PROGRAMS.items():
+            for run in (Run(kind, mesh) for mesh in program.meshes):
+                outcomes = [runner(run, 600, VARY_READ=str(read)) for _ in range(repetitions)]
+                if len({outcome.result for outcome in outcomes}) != 1:
+                    sys.exit(f"{run} is not deterministic: {outcomes}")
+                if not outcomes[0].is_done:
+                    sys.exit(f"{run} fails: {outcomes[0].result}")
+                seconds = statistics.median(outcome.seconds for outcome in outcomes)
+                result[run] = (outcomes[0]._replace(seconds=seconds), set(map(int, read.read_text().split())))
+    return result
+
+
+def measure(runner, runs, variation):
+    """`runs` with their outcomes. Means of the changes of length, in per cent, and energy; time in per cent."""
+    changed = failed = 0
+    lengths, energies, seconds, former_seconds = [], [], 0, 0
+    for run, former in runs.items():
+        outcome = runner(run, 10 + 10 * former.seconds, VARY=variation)
+        changed += outcome.result != former.result
+        if not outcome.is_done:
+            failed += 1
+            continue
+        if former.length > 0:
+            lengths.append(100 * (outcome.length / former.length - 1))
+        if former.energy > 0:
+            energies.append(outcome.energy - former.energy)
+        seconds += outcome.seconds
+        former_seconds += former.seconds
+    return {"runs": len(runs), "changed": changed, "failed": failed,
+            "length": f"{statistics.mean(lengths or [0]):.2f}", "energy": f"{statistics.mean(energies or [0]):.4f}",
+            "time": f"{100 * (seconds / former_seconds - 1):.0f}" if former_seconds > 0 else "0"}
+
+
+def read_results(path):
+    if not path.exists():
+        return {}
+    with open(path, newline="", encoding="utf-8") as file:
+        return {(row["constant"], float(row["factor"])): row for row in csv.DictReader(file)}
+
+
+def vary(runner, constants, arguments, path):
+    done = read_results(path)
+    known = references(runner, arguments.repetitions)
+    to_do = [(c["constant"], row, set(c["runs"].split()), factor)
+             for row, c in enumerate(constants) if c["runs"] for factor in FACTORS]
+    with open(path, "a", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, FIELDS)
+        if not done:
+            writer.writeheader()
+        for name, row, kinds, factor in to_do:
+            if (name, factor) in done or not re.search(arguments.only, name):
+                continue
+            runs = {run: outcome for run, (outcome, read) in known.items() if run.kind in kinds and row in read}
+            result = measure(runner, runs, f"{row}:{factor}")
+            writer.writerow({"constant": name, "factor": factor, **result})
+            file.flush()
+            print(name, factor, *result.values(), flush=True)
+
+
+def effect(result):
+    """As a cell of the table."""
+    if int(result["runs"]) == 0:
+        return "not read"
+    time = float(result["time"])
+    parts = [f"{result['failed']} fail"] if int(result["failed"]) > 0 else []
+    if int(result["changed"]) > 0:
+        parts.append(f"{result['changed']}/{result['runs']}: L {float(result['length']):+.1f} %, "
+                     f"E {float(result['energy']):+.3f}")
+    if abs(time) >= LEAST_TIME:
+        parts.append(f"time {time:+.0f} %")
+    return "; ".join(parts) or "="
+
+
+def print_table(constants, results):
+    for file, group in itertools.groupby(constants, lambda c: c["file"]):
+        print(f"\n`{file}`\n\n| constant | value | unit | reason | halved | doubled |\n|---|---|---|---|---|---|")
+        for c in group:
+            effects = [effect(results[c["constant"], factor]) if c["form"] and c["runs"] else "not varied"
+                       for factor in FACTORS]
+            name = f"{c['constant']} ({c['form']})" if c["form"] in ("excess", "power") else c["constant"]
+            print(f"| {name} | {varied_headers.value(c) or ''} | {c['unit']} | {c['reason']} | {' | '.join(effects)} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--meshes", type=pathlib.Path, default=ROOT / "build/data/meshes", help="CGAL's data set")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/constants")
+    parser.add_argument("--only", default="", help="constants to measure, a regular expression")
+    parser.add_argument("--repetitions", type=int, default=3, help="of the unchanged runs")
+    parser.add_argument("--table", action="store_true")
+    arguments = parser.parse_args()
+    constants = varied_headers.read_constants(HERE / "constants.csv")
+    path = arguments.build / "results.csv"
+    if arguments.table:
+        print_table(constants, read_results(path))
+    else:
+        folder = arguments.build.resolve()
+        vary(Runner(build(folder, constants), arguments.meshes.resolve()), constants, arguments, path)
+
+
+if __name__ == "__main__":
+    main()
