@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/SparseLU>
 
 // The tangent of half the angle of triangle `t` at its corner `k`.

@@ -3,6 +3,8 @@
 
 #include "Surface.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

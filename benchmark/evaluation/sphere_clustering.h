@@ -3,6 +3,8 @@
 
 #include "spherical_map.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -7,6 +7,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

@@ -8,6 +8,8 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>

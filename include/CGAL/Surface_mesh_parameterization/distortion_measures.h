@@ -48,14 +48,10 @@ struct Corners
   // Brings the surface to an extent of about one and the UVs with it, which changes no Jacobian.
   void normalize()
   {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
+    Bounding_box<3> box;
     for(const Eigen::Vector3d& p : points)
-    {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    const int e = points.empty() ? 0 : scale_exponent(low, high);
+      box.add(p);
+    const int e = scale_exponent(box);
     for(Eigen::Vector3d& p : points)
       p = scaled(p, -e);
     for(Eigen::Vector2d& p : uv)

@@ -15,11 +15,13 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -108,7 +110,7 @@ inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::ve
   for(int v = 0; v < n; ++v)
     if(unknowns[v] >= 0)
       uv[v] = Eigen::Vector2d(solution[0][unknowns[v]], solution[1][unknowns[v]]);
-  return solution[0].allFinite() && solution[1].allFinite();
+  return std::all_of(uv.begin(), uv.end(), [](const Eigen::Vector2d& p) { return is_finite(p); });
 }
 
 } // namespace internal

@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -23,15 +25,15 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// The e for which the box from `low` to `high` has an extent in [1, 2) after division by 2^e; 0 for
+// The e for which the box has an extent in [1, 2) after division by 2^e; 0 for
 // a point. Scaling by a power of two loses no bit, and at this scale products of lengths neither
 // overflow nor underflow.
-inline int scale_exponent(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+inline int scale_exponent(const Bounding_box<3>& box)
 {
   // Halves, as the difference of two finite numbers may be infinite.
   double half_extent = 0;
   for(int i = 0; i < 3; ++i)
-    half_extent = (std::max)(half_extent, 0.5 * high[i] - 0.5 * low[i]);
+    half_extent = (std::max)(half_extent, 0.5 * box.high[i] - 0.5 * box.low[i]);
   return half_extent > 0 ? std::ilogb(half_extent) + 1 : 0;
 }
 

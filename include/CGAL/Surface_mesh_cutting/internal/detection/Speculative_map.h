@@ -20,8 +20,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <deque>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -44,17 +44,17 @@ public:
     : m_control(control), m_trials(number_of_copies(), none)
   {
     for(std::size_t i = 0; i < m_trials.size(); ++i)
-      m_copies.emplace_back(mesh, shapes, policy,
-                            [this, i] { return m_trials[i] <= m_first_useful && m_control.go_further(); });
+      m_copies.push_back(std::make_unique<Incremental_parameterization>(
+        mesh, shapes, policy, [this, i] { return m_trials[i] <= m_first_useful && m_control.go_further(); }));
   }
 
   bool initialize(const Cut& cut)
   {
     m_are_equal = false;
-    return m_copies[m_current].initialize(cut);
+    return m_copies[m_current]->initialize(cut);
   }
 
-  const Incremental_parameterization& map() const { return m_copies[m_current]; }
+  const Incremental_parameterization& map() const { return *m_copies[m_current]; }
 
   // Opens the first useful slit. `proposal(i)` points to the i-th one, its `path` and the `least_gain` that
   // makes it useful, or is null if the next proposal depends on pending ones; it is called in order, by one
@@ -80,10 +80,10 @@ public:
         return slit;
       };
       for(auto slit = next(); slit != nullptr; slit = next())
-        if(m_copies[i].try_slit(slit->path, slit->least_gain))
+        if(m_copies[i]->try_slit(slit->path, slit->least_gain))
         {
           claim(m_trials[i]);
-          m_copies[i].converge();
+          m_copies[i]->converge();
           return;
         }
     });
@@ -105,7 +105,7 @@ private:
   {
     for(std::size_t i = 0; i < m_copies.size() && !m_are_equal; ++i)
       if(i != m_current)
-        m_copies[i].restore(m_copies[m_current].state());
+        m_copies[i]->restore(m_copies[m_current]->state());
     m_are_equal = true;
   }
 
@@ -125,7 +125,7 @@ private:
   }
 
   Run_control& m_control;
-  std::deque<Incremental_parameterization> m_copies;
+  std::vector<std::unique_ptr<Incremental_parameterization> > m_copies;
   std::size_t m_current = 0; // the copy that is the map
   bool m_are_equal = false;
   std::vector<int> m_trials; // of each copy, the one in work or the latest

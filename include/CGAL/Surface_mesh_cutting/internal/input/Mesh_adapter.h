@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
@@ -30,7 +32,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -193,7 +194,7 @@ private:
     for(vertex_descriptor v : vertices(m_tmesh))
     {
       points.push_back(Surface_mesh_parameterization::internal::to_vector_3(get(vpm, v)));
-      if(!points.back().allFinite())
+      if(!Surface_mesh_parameterization::internal::is_finite(points.back()))
         invalid.push_back(int(m_vertices.size()));
       m_vertices.push_back(v);
     }
@@ -268,14 +269,11 @@ private:
 
   void normalize(std::vector<Point>& points, const std::vector<Triangle>& triangles)
   {
-    Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    Surface_mesh_parameterization::internal::Bounding_box<3> box;
     for(const Triangle& t : triangles)
       for(int v : t)
-      {
-        low = low.cwiseMin(points[v]);
-        high = high.cwiseMax(points[v]);
-      }
-    m_exponent = Surface_mesh_parameterization::internal::scale_exponent(low, high);
+        box.add(points[v]);
+    m_exponent = Surface_mesh_parameterization::internal::scale_exponent(box);
     for(Point& p : points)
       p = Surface_mesh_parameterization::internal::scaled(p, -m_exponent);
   }

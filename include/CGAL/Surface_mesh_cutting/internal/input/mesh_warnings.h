@@ -17,9 +17,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -102,7 +102,7 @@ inline std::vector<int> faces_of_parts_inside_out(const Indexed_mesh& mesh)
     const Point& origin = mesh.point(mesh.source(3 * part.face));
     const Triangle& t = mesh.triangles()[f];
     const Point a = mesh.point(t[0]) - origin, b = mesh.point(t[1]) - origin, c = mesh.point(t[2]) - origin;
-    part.volume += a.dot(b.cross(c)) / 6;
+    part.volume += a.dot(Surface_mesh_parameterization::internal::cross_product(b, c)) / 6;
     part.area += mesh.face_area(f);
     for(int h = 3 * f; h < 3 * f + 3; ++h)
       part.is_closed = part.is_closed && !mesh.is_border(h);

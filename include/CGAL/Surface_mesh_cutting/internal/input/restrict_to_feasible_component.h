@@ -70,12 +70,14 @@ public:
   // Those that hold the loops which `genus` handles take, from large to small, ties by index.
   std::vector<int> large_enough(int genus) const
   {
-    std::vector<int> islands;
+    std::vector<std::pair<int, int> > order;
     for(int i = 0; i < int(m_nodes.size()); ++i)
       if(holds_path(i) && m_edges[i] - m_nodes[i] + 1 >= 2 * genus)
-        islands.push_back(i);
-    std::stable_sort(islands.begin(), islands.end(),
-                     [this](int i, int j) { return m_edges[i] > m_edges[j]; });
+        order.emplace_back(-m_edges[i], i);
+    std::sort(order.begin(), order.end());
+    std::vector<int> islands;
+    for(const auto& [size, i] : order)
+      islands.push_back(i);
     return islands;
   }
 

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Component_cutter.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
@@ -209,43 +210,42 @@ private:
   // charts in the order of their heights.
   void lay_side_by_side(const std::vector<Indexed_component>& components, Mesh_result& result) const
   {
-    struct Box { Eigen::Vector2d low, size; std::size_t component; };
-    std::vector<Box> boxes;
+    using Box = Surface_mesh_parameterization::internal::Bounding_box<2>;
+    std::vector<Box> boxes(components.size());
+    std::vector<std::pair<double, int> > order; // height, downwards, and component
     double area = 0, widest = 0;
     for(std::size_t i = 0; i < components.size(); ++i)
     {
-      Eigen::Vector2d low = result.uv[result.chart.triangles()[components[i].faces.front()][0]], high = low;
+      Box& box = boxes[i];
       for(int f : components[i].faces)
         for(int v : result.chart.triangles()[f])
-        {
-          low = low.cwiseMin(result.uv[v]);
-          high = high.cwiseMax(result.uv[v]);
-        }
-      boxes.push_back({low, high - low, i});
-      area += boxes.back().size.x() * boxes.back().size.y();
-      widest = (std::max)(widest, boxes.back().size.x());
+          box.add(result.uv[v]);
+      const Eigen::Vector2d size = box.size();
+      area += size.x() * size.y();
+      widest = (std::max)(widest, size.x());
+      order.emplace_back(-size.y(), int(i));
     }
-    std::stable_sort(boxes.begin(), boxes.end(),
-                     [](const Box& a, const Box& b) { return a.size.y() > b.size.y(); });
+    std::sort(order.begin(), order.end());
     constexpr double gap_share = 0.02;  // between charts, of the side of a square of their area: visible
     constexpr double width_share = 1.2; // of rows, of that side: boxes and gaps leave some area empty
     const double side = std::sqrt(area), gap = gap_share * side, width = (std::max)(widest, width_share * side);
     Eigen::Vector2d corner(0, 0);
     double row_height = 0;
     std::vector<char> is_moved(result.uv.size(), 0);
-    for(const Box& box : boxes)
+    for(const auto& [height, i] : order)
     {
-      if(corner.x() > 0 && corner.x() + box.size.x() > width)
+      const Eigen::Vector2d size = boxes[i].size();
+      if(corner.x() > 0 && corner.x() + size.x() > width)
       {
         corner = Eigen::Vector2d(0, corner.y() + row_height + gap);
         row_height = 0;
       }
-      for(int f : components[box.component].faces)
+      for(int f : components[i].faces)
         for(int v : result.chart.triangles()[f])
           if(!std::exchange(is_moved[v], char(1)))
-            result.uv[v] += corner - box.low;
-      corner.x() += box.size.x() + gap;
-      row_height = (std::max)(row_height, box.size.y());
+            result.uv[v] += corner - boxes[i].low;
+      corner.x() += size.x() + gap;
+      row_height = (std::max)(row_height, size.y());
     }
   }
 

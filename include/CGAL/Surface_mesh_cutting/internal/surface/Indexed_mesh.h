@@ -15,11 +15,11 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <array>
 #include <utility>
@@ -86,7 +86,8 @@ public:
   double face_area(int f) const
   {
     const Triangle& t = m_triangles[f];
-    return 0.5 * (m_points[t[1]] - m_points[t[0]]).cross(m_points[t[2]] - m_points[t[0]]).norm();
+    using Surface_mesh_parameterization::internal::cross_product;
+    return 0.5 * cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]).norm();
   }
 
 private:

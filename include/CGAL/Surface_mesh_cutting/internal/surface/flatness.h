@@ -16,8 +16,9 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
+
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <vector>
@@ -32,7 +33,7 @@ inline Eigen::Vector3d unit_normal(const Indexed_mesh& mesh, int f)
   const Triangle& t = mesh.triangles()[f];
   const Eigen::Vector3d u = (mesh.point(t[1]) - mesh.point(t[0])).stableNormalized();
   const Eigen::Vector3d v = (mesh.point(t[2]) - mesh.point(t[0])).stableNormalized();
-  return u.cross(v).stableNormalized();
+  return Surface_mesh_parameterization::internal::cross_product(u, v).stableNormalized();
 }
 
 // For each edge the cosine of the angle between the normals of its faces, 0 if that is more than a

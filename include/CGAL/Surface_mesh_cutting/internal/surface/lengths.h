@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
@@ -31,14 +33,11 @@ inline double average_edge_length(const Indexed_mesh& mesh)
 // Of the surface: isolated vertices do not count.
 inline double bounding_box_diagonal(const Indexed_mesh& mesh)
 {
-  Point low = mesh.point(mesh.source(0)), high = low;
+  Surface_mesh_parameterization::internal::Bounding_box<3> box;
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     if(!mesh.is_isolated(v))
-    {
-      low = low.cwiseMin(mesh.point(v));
-      high = high.cwiseMax(mesh.point(v));
-    }
-  return (high - low).norm();
+      box.add(mesh.point(v));
+  return box.size().norm();
 }
 
 } // namespace internal

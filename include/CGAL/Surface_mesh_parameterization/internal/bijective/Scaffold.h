@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -113,18 +114,12 @@ private:
   void insert_box(const Corner_table& chart)
   {
     constexpr double margin = 0.5; // on each side, as a fraction of the extent
-    Eigen::Vector2d low = m_points[chart.source(m_border.front())], high = low;
+    Bounding_box<2> box;
     for(int h : m_border)
-    {
-      low = low.cwiseMin(m_points[chart.source(h)]);
-      high = high.cwiseMax(m_points[chart.source(h)]);
-    }
-    const Eigen::Vector2d size = high - low;
-    const double outwards = margin * (std::max)(size.x(), size.y());
-    low -= Eigen::Vector2d(outwards, outwards);
-    high += Eigen::Vector2d(outwards, outwards);
+      box.add(m_points[chart.source(h)]);
+    box.grow(margin * box.longest_side());
     const Eigen::Vector2d corners[number_of_corners]
-      = {low, Eigen::Vector2d(high.x(), low.y()), high, Eigen::Vector2d(low.x(), high.y())};
+      = {box.low, Eigen::Vector2d(box.high.x(), box.low.y()), box.high, Eigen::Vector2d(box.low.x(), box.high.y())};
     for(const Eigen::Vector2d& corner : corners)
     {
       m_points.push_back(corner);

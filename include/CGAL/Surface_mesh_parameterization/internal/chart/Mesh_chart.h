@@ -15,6 +15,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
@@ -29,7 +31,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -163,20 +164,18 @@ private:
   Error_code read_points(const TriangleMesh& mesh)
   {
     const auto vpm = get(CGAL::vertex_point, mesh);
-    const double infinity = std::numeric_limits<double>::infinity();
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
+    Bounding_box<3> box;
     m_points.clear();
     for(vertex_descriptor v : m_vertices)
     {
       m_points.push_back(to_vector_3(get(vpm, v)));
-      if(!m_points.back().allFinite())
+      if(!is_finite(m_points.back()))
         return ERROR_WRONG_PARAMETER;
-      low = low.cwiseMin(m_points.back());
-      high = high.cwiseMax(m_points.back());
+      box.add(m_points.back());
     }
-    if(low == high)
+    if(box.low == box.high)
       return ERROR_NO_1_TO_1_MAPPING;
-    m_exponent = scale_exponent(low, high);
+    m_exponent = scale_exponent(box);
     for(Eigen::Vector3d& p : m_points)
       p = scaled(p, -m_exponent);
     return OK;

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -26,11 +27,6 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-
-inline bool is_finite(const Eigen::Vector2d& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y());
-}
 
 // The exact sign of the area of the triangle `abc` of finite points.
 inline Orientation exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b,

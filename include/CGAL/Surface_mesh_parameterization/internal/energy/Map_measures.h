@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
@@ -22,7 +23,6 @@
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -45,27 +45,35 @@ struct Triangle_stretch
 inline Triangle_stretch exact_stretch(const Eigen::Vector3d (&p)[3], const Eigen::Vector2d (&u)[3])
 {
   using Number = Exact_rational;
+  // Not in one expression: each would be a type of its own.
+  const auto difference = [](const Number& a, const Number& b) -> Number { return a - b; };
+  const auto product = [](const Number& a, const Number& b) -> Number { return a * b; };
+  const auto quotient = [](const Number& a, const Number& b) { return CGAL::to_double(Number(a / b)); };
   Number g[3] = {0, 0, 0}, h[3] = {0, 0, 0}; // entries 00, 01, 11
-  const auto add = [](const double& origin, const double& a, const double& b, Number (&gram)[3])
+  const auto add = [&](double origin, double a, double b, Number (&gram)[3])
   {
-    const Number s = Number(a) - Number(origin), t = Number(b) - Number(origin);
-    gram[0] += s * s;
-    gram[1] += s * t;
-    gram[2] += t * t;
+    const Number s = difference(a, origin), t = difference(b, origin);
+    gram[0] += product(s, s);
+    gram[1] += product(s, t);
+    gram[2] += product(t, t);
   };
   for(int i = 0; i < 3; ++i)
     add(p[0][i], p[1][i], p[2][i], g);
   for(int i = 0; i < 2; ++i)
     add(u[0][i], u[1][i], u[2][i], h);
-  const Number det_g = g[0] * g[2] - g[1] * g[1], det_h = h[0] * h[2] - h[1] * h[1];
-  const Number trace = g[2] * h[0] - 2 * g[1] * h[1] + g[0] * h[2];
+  const Number det_g = difference(product(g[0], g[2]), product(g[1], g[1]));
+  const Number det_h = difference(product(h[0], h[2]), product(h[1], h[1]));
+  Number trace = product(g[2], h[0]);
+  trace += product(g[0], h[2]);
+  trace -= product(g[1], h[1]);
+  trace -= product(g[1], h[1]);
   Triangle_stretch result;
   if(det_g == 0)
     return result;
   result.area = 0.5 * std::sqrt(CGAL::to_double(det_g));
-  result.squared_norm = CGAL::to_double(Number(trace / det_g));
+  result.squared_norm = quotient(trace, det_g);
   result.squared_norm_of_inverse = det_h == 0 ? (std::numeric_limits<double>::infinity)()
-                                              : CGAL::to_double(Number(trace / det_h));
+                                              : quotient(trace, det_h);
   return result;
 }
 
@@ -168,7 +176,7 @@ private:
   {
     const Eigen::Vector3d a = m_points[t[1]] - m_points[t[0]], b = m_points[t[2]] - m_points[t[0]];
     const double squared_length = (std::max)({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-    return a.cross(b).norm() > height * squared_length;
+    return cross_product(a, b).norm() > height * squared_length;
   }
 
   Triangle_stretch stretch(int f, const std::vector<Eigen::Vector2d>& uv) const

@@ -15,9 +15,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const double base = is_point ? minimal_edge : length;
   const double x = is_point ? 0.5 * base : f.dot(e) / length;
   const double height = is_point ? std::sqrt(0.75) * base
-                                 : (std::max)(e.cross(f).norm() / length, lowest * base);
+                                 : (std::max)(cross_product(e, f).norm() / length, lowest * base);
   Eigen::Vector2d q[3];
   q[k] = Eigen::Vector2d(0, 0);
   q[(k + 1) % 3] = Eigen::Vector2d(base, 0);

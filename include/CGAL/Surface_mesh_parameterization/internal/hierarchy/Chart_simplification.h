@@ -14,10 +14,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapsible_chart.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <functional>
@@ -103,7 +103,7 @@ private:
     for(int t = 0; t < int(m_chart.triangles().size()); ++t)
     {
       const Triangle& c = m_chart.triangles()[t];
-      const Eigen::Vector3d normal = (m_points[c[1]] - m_points[c[0]]).cross(m_points[c[2]] - m_points[c[0]]);
+      const Eigen::Vector3d normal = cross_product(m_points[c[1]] - m_points[c[0]], m_points[c[2]] - m_points[c[0]]);
       const double twice_area = normal.norm();
       if(!(twice_area > 0))
         continue;
@@ -115,7 +115,7 @@ private:
         {
           const int s = c[k], e = c[(k + 1) % 3];
           const Eigen::Vector3d edge = m_points[e] - m_points[s];
-          const Eigen::Vector3d wall = edge.cross(unit);
+          const Eigen::Vector3d wall = cross_product(edge, unit);
           const double length = wall.norm();
           if(!(length > 0))
             continue;
@@ -164,7 +164,7 @@ private:
         continue;
       const Eigen::Vector3d &a = m_points[m_ring[i]], &b = m_points[m_ring[next]];
       const Eigen::Vector3d edge = b - a;
-      const Eigen::Vector3d before = edge.cross(p - a), after = edge.cross(q - a);
+      const Eigen::Vector3d before = cross_product(edge, p - a), after = cross_product(edge, q - a);
       if(before.dot(after) < smallest_cosine * before.norm() * after.norm())
         return false;
       if(quality(edge, q - a, after) < (std::min)(good_quality, kept_quality * quality(edge, p - a, before)))

@@ -14,13 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -91,9 +91,12 @@ public:
       {
         triangle_terms<Energy>(t.shape, center, t.a, t.b, terms);
         gradient += t.shape.area * terms.gradient[0];
-        hessian += t.shape.area * terms.diagonal[0];
+        for(int k = 0; k < 4; ++k)
+          hessian(k) += t.shape.area * terms.diagonal[0](k);
       }
-      const Eigen::Vector2d step = hessian.inverse() * gradient;
+      const double inverse = 1 / (hessian(0, 0) * hessian(1, 1) - hessian(1, 0) * hessian(0, 1));
+      const Eigen::Vector2d step(hessian(1, 1) * inverse * gradient.x() - hessian(0, 1) * inverse * gradient.y(),
+                                 hessian(0, 0) * inverse * gradient.y() - hessian(1, 0) * inverse * gradient.x());
       const double decrement = gradient.dot(step);
       if(!(decrement > decrement_to_stop * e))
         return;
@@ -113,21 +116,16 @@ public:
   // The mean of the corners of the kernel.
   bool kernel_centroid(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
   {
-    Eigen::Vector2d low = star.front().a, high = low;
+    Bounding_box<2> box;
     for(const Star_triangle& t : star)
     {
-      for(const Eigen::Vector2d* corner : {&t.a, &t.b})
-      {
-        low = low.cwiseMin(*corner);
-        high = high.cwiseMax(*corner);
-      }
+      box.add(t.a);
+      box.add(t.b);
     }
     // The kernel of a border vertex's star is unbounded: the box stands for the rest of the plane.
-    const Eigen::Vector2d size = high - low;
-    const double margin = (std::max)(size.x(), size.y());
-    low -= Eigen::Vector2d(margin, margin);
-    high += Eigen::Vector2d(margin, margin);
-    m_polygon = {low, Eigen::Vector2d(high.x(), low.y()), high, Eigen::Vector2d(low.x(), high.y())};
+    box.grow(box.longest_side());
+    m_polygon = {box.low, Eigen::Vector2d(box.high.x(), box.low.y()), box.high,
+                 Eigen::Vector2d(box.low.x(), box.high.y())};
     for(const Star_triangle& t : star)
     {
       clip_polygon(t.a, t.b, m_polygon, m_buffer);

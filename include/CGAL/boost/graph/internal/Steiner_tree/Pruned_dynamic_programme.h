@@ -17,6 +17,7 @@
 #include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree_states.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,26 +53,13 @@ template <int Words>
 class Pruned_dynamic_programme
 {
   using Set = Terminal_set<Words>;
-
-  // how a state was made: by the edge to its predecessor (>= 0), from its terminal, or by the merge of two sets
-  // at the same vertex (-2 - index of the merge)
-  static constexpr int from_terminal = -1;
+  using State = Tree_states::State;
+  using Merge = Tree_states::Merge;
+  using Target = Tree_states::Target;
+  static constexpr int from_terminal = Tree_states::from_terminal;
 
   // looking at so many labels counts as a state, so that the number of states bounds the time, too
   static constexpr std::size_t labels_per_state = 512;
-
-  struct State
-  {
-    int vertex;
-    int origin;
-    double length;
-  };
-
-  struct Merge
-  {
-    int first;
-    int second;
-  };
 
   struct Table
   {
@@ -88,13 +76,6 @@ class Pruned_dynamic_programme
     int table;
     int size; // of the set
     double length;
-  };
-
-  // of the merges of the present table with another one
-  struct Target
-  {
-    int table = -1;
-    int merge = -1;
   };
 
   const Csr_graph& m_graph;
@@ -246,8 +227,7 @@ private:
     m_touched.clear();
     for(int t : others)
       m_is_other_terminal[t] = 0;
-    std::sort(table.states.begin(), table.states.end(),
-              [](const State& a, const State& b) { return a.vertex < b.vertex; });
+    Tree_states::sort_by_vertex(table.states);
     count_states(table.states.size());
   }
 
@@ -304,12 +284,9 @@ private:
       return;
     const std::vector<State>& states = m_tables[index].states;
     const auto for_each_match = [&](const std::vector<State>& others, const auto& join) {
-      for(const State& other : others) {
-        const auto state = std::lower_bound(states.begin(), states.end(), other.vertex,
-                                            [](const State& s, int v) { return s.vertex < v; });
-        if(state != states.end() && state->vertex == other.vertex)
+      for(const State& other : others)
+        if(const State* state = Tree_states::find(states, other.vertex))
           join(state->length + other.length, other);
-      }
     };
     for_each_match(m_tables[found->second].states, [&](double length, const State& other) {
       improve(length, other.vertex, {index, found->second});
@@ -338,9 +315,7 @@ private:
     while(!stack.empty()) {
       const std::pair<int, int> top = stack.back();
       stack.pop_back();
-      const std::vector<State>& states = m_tables[top.first].states;
-      const auto state = std::lower_bound(states.begin(), states.end(), top.second,
-                                          [](const State& s, int w) { return s.vertex < w; });
+      const State* state = Tree_states::find(m_tables[top.first].states, top.second);
       if(state->origin >= 0) {
         edges.push_back(state->origin);
         stack.push_back(std::make_pair(top.first, m_graph.opposite(state->origin, top.second)));
