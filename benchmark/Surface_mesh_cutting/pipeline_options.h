@@ -6,7 +6,7 @@
 #include "mesh_files.h"
 
 #include <CGAL/Surface_mesh_cutting/Effort.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -82,11 +82,11 @@ void test_disks(CGAL::Random& random)
     }
   }
   for(int f = 0; f < mesh.number_of_faces(); ++f)
-    check(disks.is_forbidden(f) == (counts[f] > 0), "forbidden region");
+    check(disks.is_covered(f) == (counts[f] > 0), "forbidden region");
   for(int c : centers)
     disks.release(c);
   for(int f = 0; f < mesh.number_of_faces(); ++f)
-    check(!disks.is_forbidden(f), "all disks released");
+    check(!disks.is_covered(f), "all disks released");
 }
 
 // The energy that full convergence reaches from the state after the slit.

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 

@@ -18,7 +18,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>

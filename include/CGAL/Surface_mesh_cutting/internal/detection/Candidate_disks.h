@@ -73,7 +73,7 @@ public:
       ++m_counts[f];
   }
 
-  bool is_forbidden(int f) const { return m_counts[f] > 0; }
+  bool is_covered(int f) const { return m_counts[f] > 0; }
 
   // Whether a path of the candidate `v`, which still has its disk, may use each face: all but those in
   // disks of others.

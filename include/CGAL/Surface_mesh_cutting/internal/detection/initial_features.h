@@ -105,7 +105,7 @@ inline std::vector<int> richest_part(const Indexed_mesh& mesh, const Candidate_d
                                      const std::vector<int>& vertices, std::vector<char>& is_in_part)
 {
   const Surface_mesh_parameterization::internal::Connected_parts parts(
-    mesh.opposites(), [&disks](int f) { return disks.is_forbidden(f); });
+    mesh.opposites(), [&disks](int f) { return disks.is_covered(f); });
 
   // A vertex between several parts counts for each.
   std::vector<std::vector<int> > members(parts.number);

@@ -18,8 +18,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_READ_RUN_CONTROL_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_READ_RUN_CONTROL_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_READ_RUN_CONTROL_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_READ_RUN_CONTROL_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -52,4 +52,4 @@ Run_control read_run_control(Visitor& visitor, const NamedParameters& np)
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_READ_RUN_CONTROL_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_READ_RUN_CONTROL_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_READ_PARAMETERS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_READ_PARAMETERS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_READ_PARAMETERS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_READ_PARAMETERS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -137,4 +137,4 @@ inline Indexed_status check_parameters(const Cutting_parameters& p)
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_READ_PARAMETERS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_READ_PARAMETERS_H
