@@ -155,7 +155,7 @@ def vary(runner, constants, arguments, path):
     to_do = [(c["constant"], row, set(c["runs"].split()), factor)
              for row, c in enumerate(constants) if c["runs"] for factor in FACTORS]
     with open(path, "a", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, FIELDS)
+        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
         if not done:
             writer.writeheader()
         for name, row, kinds, factor in to_do:
