@@ -3,7 +3,7 @@
 #ifndef RANDOM_SURFACES_H
 #define RANDOM_SURFACES_H
 
-#include "test_meshes.h"
+#include "surface_meshes.h"
 
 #include <CGAL/Random.h>
 

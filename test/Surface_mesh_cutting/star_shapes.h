@@ -3,7 +3,7 @@
 #ifndef STAR_SHAPES_H
 #define STAR_SHAPES_H
 
-#include "test_meshes.h"
+#include "surface_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 

@@ -1,7 +1,7 @@
 // Surfaces that can hardly be mapped: a run ends after a bounded number of steps, whether it finds a map or not.
 
 #include "checks.h"
-#include "test_meshes.h"
+#include "surface_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>

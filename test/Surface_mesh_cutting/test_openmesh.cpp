@@ -1,7 +1,7 @@
 // The method on meshes of OpenMesh, with constraints and with removed elements, which stay as they are.
 
 #include "checks.h"
-#include "test_meshes.h"
+#include "surface_meshes.h"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>

@@ -3,7 +3,7 @@
 // measured anew from the UVs.
 
 #include "checks.h"
-#include "test_meshes.h"
+#include "surface_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
 #include <CGAL/Surface_mesh_cutting/cut_length.h>

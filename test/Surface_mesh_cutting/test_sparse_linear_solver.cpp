@@ -2,7 +2,7 @@
 // failure is reported, and a solver that is lent gives the same for every number of threads.
 
 #include "checks.h"
-#include "test_meshes.h"
+#include "surface_meshes.h"
 #include "../Surface_mesh_parameterization/Recording_solver.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
