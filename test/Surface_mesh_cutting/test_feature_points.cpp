@@ -51,7 +51,7 @@ void test_maximizers(CGAL::Random& random)
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
       if(values[v] > values[c.vertex])
         scope = (std::min)(scope, distances[v]);
-    check(scope == c.scope || std::abs(scope - c.scope) < 1e-12, "scope of influence");
+    check(scope == c.influence_radius || std::abs(scope - c.influence_radius) < 1e-12, "scope of influence");
   }
 }
 
