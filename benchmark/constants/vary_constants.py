@@ -104,13 +104,13 @@ def build(folder, constants):
     return binaries
 
 
-def references(runner, repetitions):
+def references(runner, kinds, repetitions):
     """For each run, its outcome with the median of the times, and the rows of the constants that it reads."""
     result = {}
     with tempfile.TemporaryDirectory() as folder:
         read = pathlib.Path(folder) / "read"
-        for kind, program in PROGRAMS.items():
-            for run in (Run(kind, mesh) for mesh in program.meshes):
+        for kind in kinds:
+            for run in (Run(kind, mesh) for mesh in PROGRAMS[kind].meshes):
                 outcomes = [runner(run, 600, VARY_READ=str(read)) for _ in range(repetitions)]
                 if len({outcome.result for outcome in outcomes}) != 1:
                     sys.exit(f"{run} is not deterministic: {outcomes}")
@@ -126,7 +126,7 @@ def measure(runner, runs, variation):
     changed = failed = 0
     lengths, energies, seconds, former_seconds = [], [], 0, 0
     for run, former in runs.items():
-        outcome = runner(run, 10 + 10 * former.seconds, VARY=variation)
+        outcome = runner(run, 60 + 20 * former.seconds, VARY=variation)
         changed += outcome.result != former.result
         if not outcome.is_done:
             failed += 1
@@ -151,16 +151,14 @@ def read_results(path):
 
 def vary(runner, constants, arguments, path):
     done = read_results(path)
-    known = references(runner, arguments.repetitions)
-    to_do = [(c["constant"], row, set(c["runs"].split()), factor)
-             for row, c in enumerate(constants) if c["runs"] for factor in FACTORS]
+    to_do = [(c["constant"], row, c["runs"].split(), factor) for row, c in enumerate(constants) for factor in FACTORS
+             if c["runs"] and (c["constant"], factor) not in done and re.search(arguments.only, c["constant"])]
+    known = references(runner, sorted({kind for task in to_do for kind in task[2]}), arguments.repetitions)
     with open(path, "a", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
         if not done:
             writer.writeheader()
         for name, row, kinds, factor in to_do:
-            if (name, factor) in done or not re.search(arguments.only, name):
-                continue
             runs = {run: outcome for run, (outcome, read) in known.items() if run.kind in kinds and row in read}
             result = measure(runner, runs, f"{row}:{factor}")
             writer.writerow({"constant": name, "factor": factor, **result})
