@@ -81,9 +81,8 @@ def read_constants(path):
 
 
 def value(constant):
-    """As it is in the code; None if it is not marked."""
-    mark = MARKED.search(constant["code"])
-    return mark and mark[1]
+    """As it is in the code."""
+    return MARKED.search(constant["code"])[1]
 
 
 def place(constant, text):

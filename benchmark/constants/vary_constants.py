@@ -173,21 +173,24 @@ def effect(result):
     time = float(result["time"])
     parts = [f"{result['failed']} fail"] if int(result["failed"]) > 0 else []
     if int(result["changed"]) > 0:
-        parts.append(f"{result['changed']}/{result['runs']}: L {float(result['length']):+.1f} %, "
-                     f"E {float(result['energy']):+.3f}")
+        length, energy = round(float(result["length"]), 1), round(float(result["energy"]), 3)
+        change = f": L {length or 0.:+} %, E {energy or 0.:+}" if length or energy else " in digits"
+        parts.append(f"{result['changed']}/{result['runs']}{change}")
     if abs(time) >= LEAST_TIME:
         parts.append(f"time {time:+.0f} %")
     return "; ".join(parts) or "="
 
 
 def print_table(constants, results):
-    for file, group in itertools.groupby(constants, lambda c: c["file"]):
-        print(f"\n`{file}`\n\n| constant | value | unit | reason | halved | doubled |\n|---|---|---|---|---|---|")
+    for package, group in itertools.groupby(constants, lambda c: c["file"].split("/")[0]):
+        print(f"`CGAL/{package}`\n\n| file | constant | value | unit | reason | halved | doubled |\n"
+              "|---|---|---|---|---|---|---|")
         for c in group:
-            effects = [effect(results[c["constant"], factor]) if c["form"] and c["runs"] else "not varied"
-                       for factor in FACTORS]
-            name = f"{c['constant']} ({c['form']})" if c["form"] in ("excess", "power") else c["constant"]
-            print(f"| {name} | {varied_headers.value(c) or ''} | {c['unit']} | {c['reason']} | {' | '.join(effects)} |")
+            effects = [effect(results[c["constant"], factor]) if c["runs"] else "not varied" for factor in FACTORS]
+            form = f" ({c['form']})" if c["form"] in ("excess", "power") else ""
+            print("|", " | ".join([f"`{c['file'].split('/')[-1]}`", c["constant"] + form, varied_headers.value(c),
+                                   c["unit"], c["reason"], *effects]), "|")
+        print()
 
 
 def main():
