@@ -81,9 +81,8 @@ def read_constants(path):
 
 
 def value(constant):
-    """As it is in the code; None if it is not marked."""
-    mark = MARKED.search(constant["code"])
-    return mark and mark[1]
+    """As it is in the code."""
+    return MARKED.search(constant["code"])[1]
 
 
 def place(constant, text):
@@ -116,16 +115,18 @@ def varied_text(text, constants):
 
 
 def write_varied_headers(include, copy, constants):
-    """Files that are as they should be are not touched, for the sake of builds."""
+    """Files that are as they should be are not touched, for the sake of builds; those that are gone are removed."""
     rows = {}
     for row, constant in enumerate(constants):
         if constant["form"]:
             rows.setdefault(pathlib.Path("CGAL") / constant["file"], {})[row] = constant
-    for source in include.rglob("*.h"):
-        name = source.relative_to(include)
-        text = source.read_text(encoding="utf-8")
-        write_if_different(copy / name, varied_text(text, rows[name]) if name in rows else text)
-    write_if_different(copy / "CGAL/variation.h", VARIATION.replace("NUMBER_OF_CONSTANTS", str(len(constants))))
+    texts = {source.relative_to(include): source.read_text(encoding="utf-8") for source in include.rglob("*.h")}
+    texts.update({name: varied_text(texts[name], rows_of_file) for name, rows_of_file in rows.items()})
+    texts[pathlib.Path("CGAL/variation.h")] = VARIATION.replace("NUMBER_OF_CONSTANTS", str(len(constants)))
+    for name, text in texts.items():
+        write_if_different(copy / name, text)
+    for header in set(copy.rglob("*.h")) - {copy / name for name in texts}:
+        header.unlink()
 
 
 def write_if_different(path, text):

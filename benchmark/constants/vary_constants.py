@@ -104,13 +104,13 @@ def build(folder, constants):
     return binaries
 
 
-def references(runner, repetitions):
+def references(runner, kinds, repetitions):
     """For each run, its outcome with the median of the times, and the rows of the constants that it reads."""
     result = {}
     with tempfile.TemporaryDirectory() as folder:
         read = pathlib.Path(folder) / "read"
-        for kind, program in PROGRAMS.items():
-            for run in (Run(kind, mesh) for mesh in program.meshes):
+        for kind in kinds:
+            for run in (Run(kind, mesh) for mesh in PROGRAMS[kind].meshes):
                 outcomes = [runner(run, 600, VARY_READ=str(read)) for _ in range(repetitions)]
                 if len({outcome.result for outcome in outcomes}) != 1:
                     sys.exit(f"{run} is not deterministic: {outcomes}")
@@ -126,7 +126,7 @@ def measure(runner, runs, variation):
     changed = failed = 0
     lengths, energies, seconds, former_seconds = [], [], 0, 0
     for run, former in runs.items():
-        outcome = runner(run, 10 + 10 * former.seconds, VARY=variation)
+        outcome = runner(run, 60 + 20 * former.seconds, VARY=variation)
         changed += outcome.result != former.result
         if not outcome.is_done:
             failed += 1
@@ -151,16 +151,14 @@ def read_results(path):
 
 def vary(runner, constants, arguments, path):
     done = read_results(path)
-    known = references(runner, arguments.repetitions)
-    to_do = [(c["constant"], row, set(c["runs"].split()), factor)
-             for row, c in enumerate(constants) if c["runs"] for factor in FACTORS]
+    to_do = [(c["constant"], row, c["runs"].split(), factor) for row, c in enumerate(constants) for factor in FACTORS
+             if c["runs"] and (c["constant"], factor) not in done and re.search(arguments.only, c["constant"])]
+    known = references(runner, sorted({kind for task in to_do for kind in task[2]}), arguments.repetitions)
     with open(path, "a", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
         if not done:
             writer.writeheader()
         for name, row, kinds, factor in to_do:
-            if (name, factor) in done or not re.search(arguments.only, name):
-                continue
             runs = {run: outcome for run, (outcome, read) in known.items() if run.kind in kinds and row in read}
             result = measure(runner, runs, f"{row}:{factor}")
             writer.writerow({"constant": name, "factor": factor, **result})
@@ -175,21 +173,24 @@ def effect(result):
     time = float(result["time"])
     parts = [f"{result['failed']} fail"] if int(result["failed"]) > 0 else []
     if int(result["changed"]) > 0:
-        parts.append(f"{result['changed']}/{result['runs']}: L {float(result['length']):+.1f} %, "
-                     f"E {float(result['energy']):+.3f}")
+        length, energy = round(float(result["length"]), 1), round(float(result["energy"]), 3)
+        change = f": L {length or 0.:+} %, E {energy or 0.:+}" if length or energy else " in digits"
+        parts.append(f"{result['changed']}/{result['runs']}{change}")
     if abs(time) >= LEAST_TIME:
         parts.append(f"time {time:+.0f} %")
     return "; ".join(parts) or "="
 
 
 def print_table(constants, results):
-    for file, group in itertools.groupby(constants, lambda c: c["file"]):
-        print(f"\n`{file}`\n\n| constant | value | unit | reason | halved | doubled |\n|---|---|---|---|---|---|")
+    for package, group in itertools.groupby(constants, lambda c: c["file"].split("/")[0]):
+        print(f"`CGAL/{package}`\n\n| file | constant | value | unit | reason | halved | doubled |\n"
+              "|---|---|---|---|---|---|---|")
         for c in group:
-            effects = [effect(results[c["constant"], factor]) if c["form"] and c["runs"] else "not varied"
-                       for factor in FACTORS]
-            name = f"{c['constant']} ({c['form']})" if c["form"] in ("excess", "power") else c["constant"]
-            print(f"| {name} | {varied_headers.value(c) or ''} | {c['unit']} | {c['reason']} | {' | '.join(effects)} |")
+            effects = [effect(results[c["constant"], factor]) if c["runs"] else "not varied" for factor in FACTORS]
+            form = f" ({c['form']})" if c["form"] in ("excess", "power") else ""
+            print("|", " | ".join([f"`{c['file'].split('/')[-1]}`", c["constant"] + form, varied_headers.value(c),
+                                   c["unit"], c["reason"], *effects]), "|")
+        print()
 
 
 def main():

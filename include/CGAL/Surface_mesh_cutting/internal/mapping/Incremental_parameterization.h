@@ -141,7 +141,7 @@ public:
   // always goes on.
   void converge()
   {
-    constexpr int patience = 6; // factorizations; near the optimum, fewer suffice
+    constexpr int patience = 6; // factorizations: one suffices near the optimum; hopeless maps get no more
     const bool may_start_anew = m_policy.first_map == First_map::HIERARCHY;
     Newton_options o = options();
     if(may_start_anew)
