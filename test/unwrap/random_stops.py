@@ -20,6 +20,7 @@ LOADING = 0.2  # seconds until the program can take signals
 ATTEMPTS = 3  # a busy machine is not late every time
 PATIENCE = 120  # seconds, for a run that is not stopped
 PATIENCE_AFTER_STOP = 10
+SIZE_OF_PROMISE = 100000  # triangles; the steps between two questions grow with the surface
 
 
 @functools.lru_cache(maxsize=None)
@@ -122,6 +123,8 @@ def check_same_as_unstopped(folder, arguments, exit_code, after):
 def run_case(generator, folder, slack):
     """Returns a description for the log, and the exit code."""
     name, size, faces = pick_mesh(generator, folder)
+    if size:
+        slack *= max(1, size[1] / SIZE_OF_PROMISE)
     options = ["mesh.off", *pick_options(generator, folder, faces)]
     outputs = ["-o", "out.obj", "--json", "r.json"] + ["--svg", "a.svg"] * (generator.random() < 0.3)
     stop = Stop(generator)
