@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
-namespace Flat = CGAL::Surface_mesh_cutting::internal;
+namespace Internal = CGAL::Surface_mesh_cutting::internal;
 namespace SMP = CGAL::Surface_mesh_parameterization::internal;
 
 typedef CGAL::Simple_cartesian<double>      Kernel;
@@ -22,7 +22,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 // indices of the mesh that was read.
 struct Surface
 {
-  Flat::Indexed_mesh mesh;
+  Internal::Indexed_mesh mesh;
   std::vector<SMP::Rest_shape> shapes;
 };
 
@@ -38,16 +38,16 @@ struct Detection
 inline std::string make_surface(const Mesh& mesh, Surface& surface)
 {
   typedef boost::property_map<Mesh, CGAL::vertex_point_t>::const_type Point_map;
-  const Flat::Mesh_adapter<Mesh, Point_map> adapter(mesh, get(CGAL::vertex_point, mesh));
+  const Internal::Mesh_adapter<Mesh, Point_map> adapter(mesh, get(CGAL::vertex_point, mesh));
   if(!adapter.status())
     return adapter.status().finding.message;
   surface.mesh = adapter.mesh();
   for(int v = 0; v < surface.mesh.number_of_vertices(); ++v)
     if(surface.mesh.is_isolated(v))
       return "isolated vertex";
-  const Flat::Corner_table chart = Flat::make_chart(surface.mesh, Flat::Cut(surface.mesh.number_of_edges(), 0));
-  const Flat::Connected_parts parts(chart.opposites());
-  const auto topology = Flat::topologies(chart, parts).front();
+  const Internal::Corner_table chart = Internal::make_chart(surface.mesh, Internal::Cut(surface.mesh.number_of_edges(), 0));
+  const Internal::Connected_parts parts(chart.opposites());
+  const auto topology = Internal::topologies(chart, parts).front();
   if(parts.number != 1 || topology.genus() != 0 || topology.border_loops != 0)
     return "not a closed connected surface of genus 0";
   surface.shapes = SMP::rest_shapes(surface.mesh.triangles(), surface.mesh.points());

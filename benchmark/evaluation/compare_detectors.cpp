@@ -80,14 +80,14 @@ Options read_options(int argc, char** argv)
 Detection candidates(const Surface& surface)
 {
   const int start = int(std::mt19937(0)() % std::mt19937::result_type(surface.mesh.number_of_vertices()));
-  Flat::Cutting_parameters parameters;
+  Internal::Cutting_parameters parameters;
   parameters.use_published_method = true;
   parameters.conformal_solver = SMC::Conformal_solver::KP_NEWTON;
   parameters.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
-  Flat::Run_control control;
+  Internal::Run_control control;
   Detection detection;
-  for(const Flat::Candidate& c
-      : Flat::find_candidates(surface.mesh, surface.shapes, start, parameters, control))
+  for(const Internal::Candidate& c
+      : Internal::find_candidates(surface.mesh, surface.shapes, start, parameters, control))
     detection.features.push_back(c.vertex);
   return detection;
 }
@@ -118,8 +118,8 @@ Detection detect(const std::string& detector, const Mesh& mesh, const Surface& s
     detection.failure = "no features";
   else if(detection.features.size() == 1) // a cut needs two ends
   {
-    Flat::Shortest_paths paths(surface.mesh.graph());
-    detection.features.push_back(Flat::farthest_vertex(surface.mesh, paths, detection.features.front(), {}));
+    Internal::Shortest_paths paths(surface.mesh.graph());
+    detection.features.push_back(Internal::farthest_vertex(surface.mesh, paths, detection.features.front(), {}));
   }
   return detection;
 }
@@ -127,20 +127,20 @@ Detection detect(const std::string& detector, const Mesh& mesh, const Surface& s
 // Connects, maps, and prints the rest of the line.
 void evaluate(const Surface& surface, const std::vector<int>& features, const std::string& connection)
 {
-  const Flat::Indexed_mesh& mesh = surface.mesh;
-  const double diagonal = Flat::bounding_box_diagonal(mesh), start = cpu_seconds();
+  const Internal::Indexed_mesh& mesh = surface.mesh;
+  const double diagonal = Internal::bounding_box_diagonal(mesh), start = cpu_seconds();
   Steiner::Options options;
   options.method = connections.at(connection);
   options.minimum_length_decrease = 0.01 * diagonal; // Table 1
-  const Flat::Connected_cut connected = Flat::connect_terminals<CGAL::Sequential_tag>(
-    mesh, Flat::unconstrained(mesh), features, options, [] { return true; });
+  const Internal::Connected_cut connected = Internal::connect_terminals<CGAL::Sequential_tag>(
+    mesh, Internal::unconstrained(mesh), features, options, [] { return true; });
   const double connect_seconds = cpu_seconds() - start;
-  Flat::Run_control control;
+  Internal::Run_control control;
   const SMP::Simplicial_solver_source linear_solvers;
-  Flat::Incremental_parameterization map(mesh, surface.shapes, Flat::Mapping_policy(linear_solvers), control);
+  Internal::Incremental_parameterization map(mesh, surface.shapes, Internal::Mapping_policy(linear_solvers), control);
   const bool is_mapped = connected.has_cut() && map.initialize(connected.cut);
   std::cout << (is_mapped ? "done" : "no map") << ',' << connected.number_of_auxiliary_points << ','
-            << Flat::cut_length(mesh, connected.cut) / diagonal << ',' << map.energy() << ',' << connect_seconds
+            << Internal::cut_length(mesh, connected.cut) / diagonal << ',' << map.energy() << ',' << connect_seconds
             << std::endl;
 }
 

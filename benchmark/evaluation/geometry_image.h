@@ -56,10 +56,10 @@ private:
 
   bool connect(int v)
   {
-    const std::vector<char> is_open = Flat::open_vertices(m_mesh, m_cut);
+    const std::vector<char> is_open = Internal::open_vertices(m_mesh, m_cut);
     if(is_open[v])
       return false;
-    Flat::Shortest_paths paths(m_mesh.graph());
+    Internal::Shortest_paths paths(m_mesh.graph());
     paths.add_source(v);
     int end = v;
     paths.run([&](int w) { end = w; return !is_open[w]; });
@@ -74,7 +74,7 @@ private:
   // map is not valid.
   double map_to_disk(std::vector<double>& vertex_stretch) const
   {
-    const Flat::Corner_table chart = Flat::make_chart(m_mesh, m_cut);
+    const Internal::Corner_table chart = Internal::make_chart(m_mesh, m_cut);
     std::vector<Eigen::Vector2d> uv(chart.number_of_vertices());
     if(!mean_value_map(m_mesh, chart, uv))
       return std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ private:
     double image = 0, area = 0;
     for(std::size_t t = 0; t < m_shapes.size(); ++t)
     {
-      const Flat::Triangle& v = chart.triangles()[t];
+      const Internal::Triangle& v = chart.triangles()[t];
       const auto d = SMP::wirtinger_derivatives(m_shapes[t], uv[v[0]], uv[v[1]], uv[v[2]]);
       const double determinant = d.x() - d.y();
       stretch[t] = determinant > 0 ? (d.x() + d.y()) / (determinant * determinant)
@@ -94,10 +94,10 @@ private:
     return SMP::area_average(m_shapes, stretch) * image / area;
   }
 
-  const Flat::Indexed_mesh& m_mesh;
+  const Internal::Indexed_mesh& m_mesh;
   const std::vector<SMP::Rest_shape>& m_shapes;
   const int m_start = 0;
-  Flat::Cut m_cut;
+  Internal::Cut m_cut;
 };
 
 #endif // EVALUATION_GEOMETRY_IMAGE_H

@@ -9,17 +9,17 @@
 #include <Eigen/SparseLU>
 
 // The tangent of half the angle of triangle `t` at its corner `k`.
-inline double half_angle_tangent(const Flat::Indexed_mesh& mesh, int t, int k)
+inline double half_angle_tangent(const Internal::Indexed_mesh& mesh, int t, int k)
 {
-  const Flat::Triangle& c = mesh.triangles()[t];
-  const Flat::Point a = mesh.point(c[(k + 1) % 3]) - mesh.point(c[k]),
+  const Internal::Triangle& c = mesh.triangles()[t];
+  const Internal::Point a = mesh.point(c[(k + 1) % 3]) - mesh.point(c[k]),
                     b = mesh.point(c[(k + 2) % 3]) - mesh.point(c[k]);
   return a.cross(b).norm() / (a.norm() * b.norm() + a.dot(b));
 }
 
 // The map of an opened mesh to the unit disk by mean value coordinates [Flo03]: the border on the circle,
 // spaced as on the surface. False if the system cannot be solved.
-inline bool mean_value_map(const Flat::Indexed_mesh& mesh, const Flat::Corner_table& chart, std::vector<Eigen::Vector2d>& uv)
+inline bool mean_value_map(const Internal::Indexed_mesh& mesh, const Internal::Corner_table& chart, std::vector<Eigen::Vector2d>& uv)
 {
   const int n = chart.number_of_vertices();
   const std::vector<int> loop = chart.border_loops().front();
@@ -42,11 +42,11 @@ inline bool mean_value_map(const Flat::Indexed_mesh& mesh, const Flat::Corner_ta
   for(int t = 0; t < int(chart.triangles().size()); ++t)
     for(int k = 0; k < 3; ++k)
     {
-      const Flat::Triangle& c = chart.triangles()[t];
+      const Internal::Triangle& c = chart.triangles()[t];
       const int v = c[k];
       if(is_fixed[v])
         continue;
-      for(int side : {3 * t + k, Flat::previous_halfedge(3 * t + k)})
+      for(int side : {3 * t + k, Internal::previous_halfedge(3 * t + k)})
       {
         const double weight = half_angle_tangent(mesh, t, k) / mesh.length(mesh.edge(side));
         const int other = chart.source(side) == v ? c[(k + 1) % 3] : chart.source(side);

@@ -29,7 +29,7 @@ public:
       std::vector<double> curvatures(m_mesh.number_of_vertices());
       for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
         curvatures[v] = std::abs(curvature(v, rings));
-      for(int v : Flat::local_maximizers(m_mesh, curvatures))
+      for(int v : Internal::local_maximizers(m_mesh, curvatures))
         if(curvatures[v] > threshold && !holds_feature(v, rings, is_feature))
           is_feature[v] = 1;
     }
@@ -90,17 +90,17 @@ private:
 
   bool is_inside(int f) const
   {
-    const Flat::Triangle& t = m_mesh.triangles()[f];
+    const Internal::Triangle& t = m_mesh.triangles()[f];
     return m_ring[t[0]] >= 0 && m_ring[t[1]] >= 0 && m_ring[t[2]] >= 0;
   }
 
   double angle_at(int center, int v, int w) const
   {
-    const Flat::Point a = m_mesh.point(v) - m_mesh.point(center), b = m_mesh.point(w) - m_mesh.point(center);
+    const Internal::Point a = m_mesh.point(v) - m_mesh.point(center), b = m_mesh.point(w) - m_mesh.point(center);
     return std::atan2(a.cross(b).norm(), a.dot(b));
   }
 
-  const Flat::Indexed_mesh& m_mesh;
+  const Internal::Indexed_mesh& m_mesh;
   std::vector<int> m_ring; // of the region in work; -1 outside
   std::vector<int> m_region;
 };

@@ -25,7 +25,7 @@ public:
   Detection operator()()
   {
     Detection detection;
-    const std::vector<Flat::Point> image = m_map();
+    const std::vector<Internal::Point> image = m_map();
     if(image.empty() || !m_map.is_bijective(image))
     {
       detection.failure = image.empty() ? "no spherical map" : "spherical map is not bijective";
@@ -46,7 +46,7 @@ public:
 
 private:
   // Half conformal, half area distortion; 1 is none.
-  void measure(const std::vector<Flat::Point>& image)
+  void measure(const std::vector<Internal::Point>& image)
   {
     double area = 0;
     for(const SMP::Rest_shape& s : m_shapes)
@@ -54,8 +54,8 @@ private:
     const double radius = std::sqrt(area / (4 * EIGEN_PI));
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      const Flat::Triangle& t = m_mesh.triangles()[f];
-      const Flat::Point b = radius * (image[t[1]] - image[t[0]]), c = radius * (image[t[2]] - image[t[0]]);
+      const Internal::Triangle& t = m_mesh.triangles()[f];
+      const Internal::Point b = radius * (image[t[1]] - image[t[0]]), c = radius * (image[t[2]] - image[t[0]]);
       const double x = b.dot(c) / b.norm(), y = b.cross(c).norm() / b.norm();
       const auto d = SMP::wirtinger_derivatives(m_shapes[f], Eigen::Vector2d(0, 0), Eigen::Vector2d(b.norm(), 0),
                                                 Eigen::Vector2d(x, y));
@@ -122,11 +122,11 @@ private:
   {
     const std::vector<double> values
       = SMP::vertex_averages(m_shapes, m_mesh.triangles(), m_distortion, m_mesh.number_of_vertices());
-    const Flat::Triangle& t = m_mesh.triangles()[f];
+    const Internal::Triangle& t = m_mesh.triangles()[f];
     return *std::max_element(t.begin(), t.end(), [&](int v, int w) { return values[v] < values[w]; });
   }
 
-  const Flat::Indexed_mesh& m_mesh;
+  const Internal::Indexed_mesh& m_mesh;
   const std::vector<SMP::Rest_shape>& m_shapes;
   const Spherical_map m_map;
   std::vector<double> m_distortion;

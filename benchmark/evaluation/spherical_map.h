@@ -20,7 +20,7 @@ public:
   explicit Spherical_map(const Surface& surface) : m_mesh(surface.mesh), m_shapes(surface.shapes) {}
 
   // The images of the vertices; empty if there is no map of the plane.
-  std::vector<Flat::Point> operator()() const
+  std::vector<Internal::Point> operator()() const
   {
     const int pole = largest_star();
     std::vector<Eigen::Vector2d> uv;
@@ -28,12 +28,12 @@ public:
     if(!planar_map(pole, uv, vertices))
       return {};
     center(uv, vertices);
-    std::vector<Flat::Point> image(m_mesh.number_of_vertices(), Flat::Point(0, 0, 1));
+    std::vector<Internal::Point> image(m_mesh.number_of_vertices(), Internal::Point(0, 0, 1));
     for(std::size_t i = 0; i < uv.size(); ++i)
     {
       const double r = uv[i].squaredNorm();
       // Mirrored, so that triangles stay counterclockwise as seen from outside.
-      image[vertices[i]] = Flat::Point(uv[i].x(), -uv[i].y(), (r - 1) / 2) * (2 / (1 + r));
+      image[vertices[i]] = Internal::Point(uv[i].x(), -uv[i].y(), (r - 1) / 2) * (2 / (1 + r));
     }
     balance(image);
     smooth_flips(image);
@@ -41,28 +41,28 @@ public:
   }
 
   // Without flips, which is decided exactly, the map covers the sphere a whole number of times.
-  bool is_bijective(const std::vector<Flat::Point>& image) const
+  bool is_bijective(const std::vector<Internal::Point>& image) const
   {
     if(!flips(image).empty())
       return false;
     double solid_angle = 0;
-    for(const Flat::Triangle& t : m_mesh.triangles())
+    for(const Internal::Triangle& t : m_mesh.triangles())
     {
-      const Flat::Point &a = image[t[0]], &b = image[t[1]], &c = image[t[2]];
+      const Internal::Point &a = image[t[0]], &b = image[t[1]], &c = image[t[2]];
       solid_angle += 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
     }
     return std::abs(solid_angle - 4 * EIGEN_PI) < EIGEN_PI;
   }
 
 private:
-  std::vector<int> flips(const std::vector<Flat::Point>& image) const
+  std::vector<int> flips(const std::vector<Internal::Point>& image) const
   {
     typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
     const auto point = [&](int v) { return Point_3(image[v].x(), image[v].y(), image[v].z()); };
     std::vector<int> result;
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      const Flat::Triangle& t = m_mesh.triangles()[f];
+      const Internal::Triangle& t = m_mesh.triangles()[f];
       if(CGAL::orientation(point(t[0]), point(t[1]), point(t[2]), Point_3(0, 0, 0)) != CGAL::NEGATIVE)
         result.push_back(f);
     }
@@ -70,7 +70,7 @@ private:
   }
 
   // Moves the corners of flipped triangles, and all next to them, between their neighbors.
-  void smooth_flips(std::vector<Flat::Point>& image) const
+  void smooth_flips(std::vector<Internal::Point>& image) const
   {
     constexpr int maximum_number_of_rounds = 200;
     const auto& offsets = m_mesh.graph().offsets;
@@ -89,7 +89,7 @@ private:
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       for(int v : vertices)
       {
-        Flat::Point sum = Flat::Point::Zero();
+        Internal::Point sum = Internal::Point::Zero();
         for(int a = offsets[v]; a < offsets[v + 1]; ++a)
           sum += image[arcs[a].target];
         image[v] = sum.normalized();
@@ -112,13 +112,13 @@ private:
     std::vector<int> faces, new_vertex(m_mesh.number_of_vertices()), new_halfedge(m_mesh.number_of_halfedges(), -1);
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      const Flat::Triangle& t = m_mesh.triangles()[f];
+      const Internal::Triangle& t = m_mesh.triangles()[f];
       if(std::find(t.begin(), t.end(), pole) == t.end())
         faces.push_back(f);
     }
-    const Flat::Indexed_component rest = Flat::make_component(m_mesh, faces, new_vertex, new_halfedge);
+    const Internal::Indexed_component rest = Internal::make_component(m_mesh, faces, new_vertex, new_halfedge);
     vertices = rest.vertices;
-    return mean_value_map(rest.mesh, Flat::make_chart(rest.mesh, Flat::Cut(rest.mesh.number_of_edges(), 0)), uv);
+    return mean_value_map(rest.mesh, Internal::make_chart(rest.mesh, Internal::Cut(rest.mesh.number_of_edges(), 0)), uv);
   }
 
   std::vector<double> vertex_areas() const
@@ -157,7 +157,7 @@ private:
   }
 
   // Moebius transformations that bring the center of mass to that of the sphere.
-  void balance(std::vector<Flat::Point>& image) const
+  void balance(std::vector<Internal::Point>& image) const
   {
     constexpr int maximum_number_of_steps = 100;
     const std::vector<double> areas = vertex_areas();
@@ -166,18 +166,18 @@ private:
       total += a;
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
-      Flat::Point mass = Flat::Point::Zero();
+      Internal::Point mass = Internal::Point::Zero();
       for(std::size_t v = 0; v < image.size(); ++v)
         mass += areas[v] / total * image[v];
       if(mass.norm() < 1e-6)
         return;
-      const Flat::Point c = -0.5 * mass;
-      for(Flat::Point& p : image)
+      const Internal::Point c = -0.5 * mass;
+      for(Internal::Point& p : image)
         p = ((1 - c.squaredNorm()) * (p + c) / (p + c).squaredNorm() + c).normalized();
     }
   }
 
-  const Flat::Indexed_mesh& m_mesh;
+  const Internal::Indexed_mesh& m_mesh;
   const std::vector<SMP::Rest_shape>& m_shapes;
 };
 

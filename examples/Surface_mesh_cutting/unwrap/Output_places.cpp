@@ -86,7 +86,7 @@ void decide_places(const Options& options, Output_places& places)
     *output.decision = output.place;
   }
   if(places.material && places.mesh->kind != Output_place::Kind::REGULAR_FILE)
-    throw Failure(Exit_code::USAGE, options.output + " is not a file, beside which the material of --texture could be");
+    throw Failure(Exit_code::USAGE, options.output + " is not a file, so the material of --texture cannot be written beside it");
 }
 
 void decide_place_of_report(const std::string& name, Output_places& places)

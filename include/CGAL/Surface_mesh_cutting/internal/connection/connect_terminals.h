@@ -147,7 +147,7 @@ private:
     CGAL_assertion(m_topologies[index].genus() == 0); // handles are cut first
     if(part.is_closed && part.terminals.size() < 2)
       return Indexed_status(Status_code::WRONG_PARAMETER,
-                         "a closed part in which less than two vertices are to be connected",
+                         "a closed part with fewer than two vertices to connect",
                          Element_kind::FACE, faces(index));
     // What is allowed is connected, as it leaves only disks; only vertices inside those are not on
     // it.
@@ -159,7 +159,7 @@ private:
     if(enclosed.empty())
       return Indexed_status();
     return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                       "vertices that only edges that must not be cut lead to",
+                       "vertices reachable only through forbidden edges",
                        Element_kind::VERTEX, std::move(enclosed));
   }
 
@@ -225,7 +225,7 @@ private:
       if(best < 0 || m_constraints.is_forbidden(m_mesh.edge(best)))
       {
         m_result.status = Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                                      "edges that must not be cut leave a border of two edges",
+                                      "forbidden edges leave a border of two edges",
                                       Element_kind::FACE, {loop.front() / 3});
         return;
       }

@@ -33,7 +33,7 @@ CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& m
                        Element_kind::VERTEX, std::move(found));
   found = faces_given_twice(mesh);
   if(!found.empty())
-    return Indexed_status(Status_code::NON_MANIFOLD, "faces given twice",
+    return Indexed_status(Status_code::NON_MANIFOLD, "duplicate faces",
                        Element_kind::FACE, std::move(found));
 
   Indexed_status status;

@@ -98,7 +98,7 @@ inline Indexed_status check_no_edge_is_mandatory_and_forbidden(const Indexed_mes
       conflicts.push_back(e);
   if(conflicts.empty())
     return Indexed_status();
-  return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "edges that must and must not be cut",
+  return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "edges both mandatory and forbidden",
                      Element_kind::EDGE, std::move(conflicts));
 }
 
@@ -137,7 +137,7 @@ inline Indexed_status check_handles_can_be_cut(const Indexed_mesh& mesh,
   if(status)
     status = check_forbidden_edges(mesh, constraints,
                                    [](const Topology& t) { return t.genus() == 0; },
-                                   "a handle cannot be cut because of edges that must not be cut");
+                                   "forbidden edges keep a handle from being cut");
   return status;
 }
 
@@ -148,7 +148,7 @@ inline Indexed_status check_disks_can_be_reached(const Indexed_mesh& mesh,
   Indexed_status status = check_handles_can_be_cut(mesh, constraints);
   if(status)
     status = check_forbidden_edges(mesh, constraints, [](const Topology& t) { return t.is_disk(); },
-                                   "edges that must not be cut keep a part from becoming a disk");
+                                   "forbidden edges keep a part from becoming a disk");
   return status;
 }
 

@@ -132,7 +132,7 @@ inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, c
       enclosed.push_back(v);
   if(!enclosed.empty())
     return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                       "vertices that only edges that must not be cut lead to",
+                       "vertices reachable only through forbidden edges",
                        Element_kind::VERTEX, std::move(enclosed));
   for(int island : choices)
   {
@@ -147,7 +147,7 @@ inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, c
   if(!status)
     return status;
   return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                     "edges that must not be cut leave less than two edges in a row",
+                     "forbidden edges leave no path of two edges to cut",
                      Element_kind::EDGE, std::move(forbidden));
 }
 

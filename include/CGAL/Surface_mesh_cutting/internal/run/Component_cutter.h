@@ -52,10 +52,12 @@ public:
   }
 
   // Runs from as many starts as the parameters say. The best is the shortest of those whose energy
-  // is within epsilon_iso of the lowest, if possible among those that keep the bound.
+  // is within epsilon_iso of the lowest, if possible among those that keep the bound. Only where no cut is there
+  // yet, the start matters.
   Component_result run(bool needs_uv)
   {
-    const int number_of_starts = m_context.parameters.number_of_starts;
+    const bool is_closed = m_problem.is_sphere && !m_problem.initial.is_given();
+    const int number_of_starts = is_closed ? m_context.parameters.number_of_starts : 1;
     Component_result failed;
     failed.status = cut_handles_of(m_problem, m_context);
     if(!failed.status)

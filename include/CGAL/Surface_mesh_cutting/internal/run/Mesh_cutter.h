@@ -184,7 +184,7 @@ private:
     result.is_optimal = result.is_optimal && part.is_optimal;
     if(m_context.parameters.needs_optimal_tree && !part.is_optimal)
       result.status = Indexed_status(Status_code::BOUND_NOT_REACHED,
-                                  "the cut is not proven to be the shortest one within the budget");
+                                  "the cut is not proven shortest within the budget");
     if(output == Output_kind::MAP)
       add_map(component, std::move(part), result);
     return true;

@@ -63,7 +63,7 @@ inline Indexed_status stopped_status()
 
 inline Indexed_status bound_missed()
 {
-  return Indexed_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map keeps the maximum distortion");
+  return Indexed_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map meets the bound on the distortion");
 }
 
 } // namespace internal
