@@ -5,6 +5,8 @@
 
 #include "mesh_files.h"
 
+#include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
+#include <CGAL/Surface_mesh_cutting/Connection.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 

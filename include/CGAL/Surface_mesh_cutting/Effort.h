@@ -28,29 +28,6 @@ enum class Effort
   BEST     ///< several starts at full resolution, each with many such attempts; the best result wins
 };
 
-/// \ingroup PkgSurfaceMeshCuttingRef
-///
-/// how to connect the feature points; the value of the named parameter `connection`.
-/// \sa `CGAL::steiner_tree()`
-enum class Connection
-{
-  METRIC_CLOSURE,          ///< the minimum spanning tree of the shortest paths between all points
-  SHORTEST_PATH_HEURISTIC, ///< a tree that grows by the path to the nearest point outside
-  GREEDY,                  ///< auxiliary points, added one by one and, except with `use_published_method(true)`, then exchanged
-  EXACT,                   ///< a shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget
-  BEST                     ///< a shortest tree within the budget, otherwise the best one found and a lower bound
-};
-
-/// \ingroup PkgSurfaceMeshCuttingRef
-///
-/// how to compute the conformal maps that yield the candidates for feature points; the value of the
-/// named parameter `conformal_solver`.
-enum class Conformal_solver
-{
-  KP_NEWTON, ///< minimizes the MIPS energy, as in the paper
-  SPECTRAL   ///< spectral conformal parameterization, repaired where it flips triangles; a single factorization
-};
-
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 

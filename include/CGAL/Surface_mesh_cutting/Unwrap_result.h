@@ -14,61 +14,12 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Phase_times.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
-#include <CGAL/Surface_mesh_cutting/Trade_off.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Surface_mesh_cutting/Cut_result.h>
 
 #include <optional>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
-
-/// \ingroup PkgSurfaceMeshCuttingRef
-///
-/// what `greedy_cut()` computes besides the cut. Lengths are in units of the mesh.
-///
-/// \tparam TriangleMesh a model of `FaceListGraph`
-template <typename TriangleMesh>
-struct Cut_result
-{
-  /// how the run ended.
-  Status<TriangleMesh> status;
-  /// whether the output maps were written: with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED`, and with
-  /// `Status_code::STOPPED` if a valid result existed by then.
-  bool has_result = false;
-
-  int components = 0; ///< number of connected components of the surface.
-  int genus = 0;      ///< sum of the genera of the components.
-  int borders = 0;    ///< number of border loops of the surface.
-
-  int number_of_candidates = 0; ///< number of candidates for feature points.
-  int number_of_features = 0; ///< number of feature points.
-  int number_of_auxiliary_points = 0; ///< number of branch points that the connection added.
-  /// the feature points.
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> feature_points;
-
-  double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
-  double cut_length = 0;            ///< total length of the cut edges.
-  /// a lower bound on the length of any cut through the same feature points, along the constrained edges and the
-  /// loops that cut the handles; empty if no bound was computed, as with weights other than lengths.
-  std::optional<double> lower_bound;
-  /// whether no such cut is shorter; empty if no bound was computed.
-  std::optional<bool> is_optimal;
-
-  /// what other cuts offer, from short to long: the cuts that the run considered, without those that are neither
-  /// shorter nor less distorted than another one. If feature points were detected on a coarser version, all cuts but
-  /// the last are measured there. Empty for several components, and where constrained edges separate the surface.
-  std::vector<Trade_off> trade_offs;
-
-  Phase_times seconds;     ///< wall time.
-  Phase_times cpu_seconds; ///< processor time of all threads.
-
-  /// `true` iff everything requested was computed.
-  explicit operator bool() const { return bool(status); }
-};
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///

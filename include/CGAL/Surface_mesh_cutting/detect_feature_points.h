@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
+#include <CGAL/Surface_mesh_cutting/Cut_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/run_pipeline.h>
 
 namespace CGAL {
@@ -64,7 +64,8 @@ Cut_result<TriangleMesh> detect_feature_points(const TriangleMesh& tmesh, Vertex
                                                const NamedParameters& np = parameters::default_values())
 {
   const Cut_result<TriangleMesh> result
-    = internal::run_pipeline<ConcurrencyTag>(tmesh, internal::Output_kind::FEATURES, internal::Ignore_result(), np);
+    = internal::run_pipeline<ConcurrencyTag, Cut_result<TriangleMesh> >(tmesh, internal::Output_kind::FEATURES,
+                                                                        internal::Ignore_result(), np);
   if(result)
     for(auto v : result.feature_points)
       *out++ = v;

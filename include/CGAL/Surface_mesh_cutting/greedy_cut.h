@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
+#include <CGAL/Surface_mesh_cutting/Cut_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/run_pipeline.h>
 
 namespace CGAL {
@@ -71,9 +71,10 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Cut_result<TriangleMesh> greedy_cut(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
                                     const NamedParameters& np = parameters::default_values())
 {
-  return internal::run_pipeline<ConcurrencyTag>(tmesh, internal::Output_kind::CUT,
-                                       [&](const auto& adapter, const internal::Mesh_result& result)
-                                       { adapter.write_cut(result.cut, edge_is_cut_map); }, np);
+  return internal::run_pipeline<ConcurrencyTag, Cut_result<TriangleMesh> >(
+    tmesh, internal::Output_kind::CUT,
+    [&](const auto& adapter, const internal::Mesh_result& result) { adapter.write_cut(result.cut, edge_is_cut_map); },
+    np);
 }
 
 } // namespace Surface_mesh_cutting

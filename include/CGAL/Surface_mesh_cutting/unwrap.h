@@ -77,12 +77,14 @@ Unwrap_result<TriangleMesh> unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge_
                                    const NamedParameters& np = parameters::default_values())
 {
   using UV = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  return internal::run_pipeline<ConcurrencyTag, UV>(tmesh, internal::Output_kind::MAP,
-                                           [&](const auto& adapter, const internal::Mesh_result& result)
-                                           {
-                                             adapter.write_cut(result.cut, edge_is_cut_map);
-                                             adapter.write_uvs(result.chart, result.uv, halfedge_uv_map);
-                                           }, np);
+  return internal::run_pipeline<ConcurrencyTag, Unwrap_result<TriangleMesh>, UV>(
+    tmesh, internal::Output_kind::MAP,
+    [&](const auto& adapter, const internal::Mesh_result& result)
+    {
+      adapter.write_cut(result.cut, edge_is_cut_map);
+      adapter.write_uvs(result.chart, result.uv, halfedge_uv_map);
+    },
+    np);
 }
 
 } // namespace Surface_mesh_cutting

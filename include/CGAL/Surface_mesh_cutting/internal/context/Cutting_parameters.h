@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
 

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
+#include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
+#include <CGAL/Surface_mesh_cutting/Connection.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>

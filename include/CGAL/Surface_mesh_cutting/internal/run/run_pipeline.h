@@ -44,7 +44,7 @@ struct Ignore_result
 
 // Translates what a run on the indexed mesh found into terms of the caller's mesh.
 template <typename TriangleMesh, typename Adapter>
-void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<TriangleMesh>& result)
+void translate(const Mesh_result& found, const Adapter& adapter, Cut_result<TriangleMesh>& result)
 {
   result.components = found.components;
   result.genus = found.genus;
@@ -61,13 +61,19 @@ void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<T
     result.lower_bound = adapter.to_original_scale(found.lower_bound);
     result.is_optimal = found.is_optimal;
   }
+  result.has_result = found.has_result;
+  for(const Trade_off& t : found.trade_offs)
+    result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), t.average_distortion});
+}
+
+template <typename TriangleMesh, typename Adapter>
+void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<TriangleMesh>& result)
+{
+  translate(found, adapter, static_cast<Cut_result<TriangleMesh>&>(result));
   result.average_distortion = found.average_energy;
   result.largest_face_distortion = found.maximum_energy;
   result.flips = found.flips;
   result.overlaps = found.overlaps;
-  result.has_result = found.has_result;
-  for(const Trade_off& t : found.trade_offs)
-    result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), t.average_distortion});
 }
 
 // What becomes of a result: it is written to the caller's property maps.
@@ -76,10 +82,9 @@ using Write = std::function<void(const Adapter&, const Mesh_result&)>;
 
 // Runs the method and translates what it finds. The same for all named parameters. The map is proven for UVs held
 // as `UV`.
-template <typename ConcurrencyTag, typename UV, typename TriangleMesh, typename Adapter>
+template <typename ConcurrencyTag, typename UV, typename Result, typename Adapter>
 Indexed_status run_method(const Adapter& adapter, Output_kind output, const Write<Adapter>& write,
-                          const Cutting_constraints& constraints, const Context& context,
-                          Unwrap_result<TriangleMesh>& result)
+                          const Cutting_constraints& constraints, const Context& context, Result& result)
 {
   const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
   const Mesh_result found = cut_indexed_mesh<ConcurrencyTag>(adapter.mesh(), output, round, constraints, context);
@@ -94,17 +99,16 @@ Indexed_status run_method(const Adapter& adapter, Output_kind output, const Writ
 
 // The common part of the calls that run the method: reads the mesh and the named parameters, checks them, runs, lets
 // `write(adapter, found)` hand out the result if there is one, and reports.
-template <typename ConcurrencyTag, typename UV = Eigen::Vector2d, typename TriangleMesh, typename WriteResult,
-          typename NamedParameters>
-Unwrap_result<TriangleMesh> run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write,
-                                         const NamedParameters& np)
+template <typename ConcurrencyTag, typename Result, typename UV = Eigen::Vector2d, typename TriangleMesh,
+          typename WriteResult, typename NamedParameters>
+Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
 
   Phase_clock clock;
-  Unwrap_result<TriangleMesh> result;
+  Result result;
   Default_visitor default_visitor;
   Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
@@ -125,7 +129,7 @@ Unwrap_result<TriangleMesh> run_pipeline(const TriangleMesh& tmesh, Output_kind 
     status.finding = read_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    const Indexed_status found = run_method<ConcurrencyTag, UV, TriangleMesh, Adapter>(
+    const Indexed_status found = run_method<ConcurrencyTag, UV, Result, Adapter>(
       adapter, output, write, constraints, Context{parameters, control, clock}, result);
     status.finding = found.finding;
     status.warnings.insert(status.warnings.end(), found.warnings.begin(), found.warnings.end());
