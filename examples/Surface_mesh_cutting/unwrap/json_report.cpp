@@ -79,6 +79,7 @@ std::string to_json(const Outcome& outcome)
     {"features", to_json(outcome.features)},
     {"auxiliary", to_json(outcome.auxiliary)},
     {"cut_length", to_json(outcome.cut_length)},
+    {"cut_cost", to_json(outcome.cut_cost)},
     {"cut_lower_bound", to_json(outcome.lower_bound)},
     {"optimal", to_json(outcome.is_optimal)},
     {"E_iso", to_json(outcome.average_energy)},

@@ -61,7 +61,7 @@ struct Outcome
 
   std::optional<int> vertices, faces, components, genus, borders;
   std::optional<int> candidates, features, auxiliary;
-  std::optional<double> cut_length, lower_bound; // over the bounding box diagonal
+  std::optional<double> cut_length, cut_cost, lower_bound; // over the bounding box diagonal
   std::optional<bool> is_optimal;
   std::optional<double> average_energy, maximum_energy;
   std::optional<int> flips, overlaps;
@@ -72,6 +72,7 @@ struct Outcome
   std::optional<std::uint32_t> seed;
   std::optional<double> maximum_average_distortion; // asked for
   std::optional<std::string> effort, solver;
+  bool has_weights = false;
 
   // Whether there is a valid result to write.
   bool has_result = false;

@@ -154,6 +154,8 @@ void tell(const Result& result, const Mesh& mesh, Outcome& outcome)
   outcome.features = result.number_of_features;
   outcome.auxiliary = result.number_of_auxiliary_points;
   outcome.cut_length = result.cut_length / result.bounding_box_diagonal;
+  if(outcome.has_weights)
+    outcome.cut_cost = result.cut_cost / result.bounding_box_diagonal;
   if(result.lower_bound)
     outcome.lower_bound = *result.lower_bound / result.bounding_box_diagonal;
   outcome.is_optimal = result.is_optimal;

@@ -40,6 +40,7 @@ Outcome unwrap_file(const Options& options, Output_places& places)
   outcome.effort = options.effort;
   outcome.maximum_average_distortion = options.maximum_average_distortion;
   outcome.solver = options.solver;
+  outcome.has_weights = !options.edge_weights.empty();
   try
   {
     unwrap_file(options, places, outcome);

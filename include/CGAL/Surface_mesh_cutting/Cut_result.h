@@ -52,14 +52,16 @@ struct Cut_result
 
   double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
   double cut_length = 0;            ///< total length of the cut edges.
+  /// total weight of the cut edges, which is what the method minimizes; their length unless `edge_weight_map` is given.
+  double cut_cost = 0;
   /// a lower bound on the length of any cut through the same feature points, along the constrained edges and the
   /// loops that cut the handles; empty if no bound was computed, as with weights other than lengths.
   std::optional<double> lower_bound;
   /// whether no such cut is shorter; empty if no bound was computed.
   std::optional<bool> is_optimal;
 
-  /// what other cuts offer, from short to long: the cuts that the run considered, without those that are neither
-  /// shorter nor less distorted than another one. If feature points were detected on a coarser version, all cuts but
+  /// what other cuts offer, from cheap to expensive: the cuts that the run considered, without those that are neither
+  /// cheaper nor less distorted than another one. If feature points were detected on a coarser version, all cuts but
   /// the last are measured there. Empty for several components, and where constrained edges separate the surface.
   std::vector<Trade_off> trade_offs;
 

@@ -19,11 +19,12 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// the length of a cut that a run considered, and the distortion of the surface opened along it.
+/// the cost of a cut that a run considered, and the distortion of the surface opened along it.
 struct Trade_off
 {
-  double cut_length = 0; ///< total length of the cut edges.
-  double average_distortion = 0;      ///< area-averaged symmetric Dirichlet energy; 4 is ideal.
+  double cut_length = 0;         ///< total length of the cut edges.
+  double cut_cost = 0;           ///< total weight of the cut edges; their length unless `edge_weight_map` is given.
+  double average_distortion = 0; ///< area-averaged symmetric Dirichlet energy; 4 is ideal.
 };
 
 } // namespace Surface_mesh_cutting

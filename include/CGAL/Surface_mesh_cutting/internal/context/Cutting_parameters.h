@@ -39,7 +39,7 @@ struct Cutting_parameters
 {
   double minimum_distortion_decrease = 0.01; // epsilon_iso, of the area-averaged energy
   double minimum_length_decrease = 0.01;     // epsilon_len, times the bounding box diagonal
-  double decrease_per_length = 0.15;         // of the energy, for a slit to be worth its length in
+  double decrease_per_cost = 0.15;         // of the energy, for a slit to be worth its length in
                                              // bounding box diagonals
   double maximum_average_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
   double minimum_area_ratio = 0.1;           // alpha

@@ -78,7 +78,7 @@ private:
     m_is_on_cut = open_vertices(m_mesh, cut);
     if(!m_maps.initialize(cut))
       return false;
-    m_trade_offs.push_back({cut_length(m_mesh, cut), map().energy()});
+    m_trade_offs.push_back({cut_length(m_mesh, cut), cut_cost(m_constraints, cut), map().energy()});
     judge_queue(std::deque<int>(queue.begin(), queue.end()));
     if(!m_parameters.use_published_method)
       judge_most_distorted();
@@ -169,7 +169,8 @@ private:
     m_features.push_back(p.vertex);
     for(int e : p.path)
       mark_on_cut(e);
-    m_trade_offs.push_back({m_trade_offs.back().cut_length + total_length(m_mesh, p.path), map().energy()});
+    m_trade_offs.push_back({m_trade_offs.back().cut_length + total_length(m_mesh, p.path),
+                            m_trade_offs.back().cut_cost + total_cost(m_constraints, p.path), map().energy()});
   }
 
   // Moves the first of the queue to the proposals if its path is known whether they are judged or not.
@@ -189,11 +190,11 @@ private:
 
   double weight(int arc) const { return m_constraints.weights[m_mesh.graph().arcs[arc].edge]; }
 
-  // A slit has to lower the energy by epsilon_iso (paper, Section 3.1.2), a long one by more.
+  // A slit has to lower the energy by epsilon_iso (paper, Section 3.1.2), an expensive one by more.
   double least_gain(const std::vector<int>& slit) const
   {
     return (std::max)(m_parameters.minimum_distortion_decrease,
-                      m_parameters.decrease_per_length * total_length(m_mesh, slit));
+                      m_parameters.decrease_per_cost * total_cost(m_constraints, slit));
   }
 
   // The shortest path from `v` to the cut over the edges of the given faces (none given: all).

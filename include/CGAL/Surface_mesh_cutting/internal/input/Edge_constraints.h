@@ -51,6 +51,38 @@ inline Edge_constraints unconstrained(const Indexed_mesh& mesh)
   return Edge_constraints{mesh.lengths(), Cut(mesh.number_of_edges(), 0)};
 }
 
+// What cutting these edges costs.
+inline double total_cost(const Edge_constraints& constraints, const std::vector<int>& edges)
+{
+  double cost = 0;
+  for(int e : edges)
+    cost += constraints.weights[e];
+  return cost;
+}
+
+inline double cut_cost(const Edge_constraints& constraints, const Cut& cut)
+{
+  double cost = 0;
+  for(std::size_t e = 0; e < cut.size(); ++e)
+    if(cut[e])
+      cost += constraints.weights[e];
+  return cost;
+}
+
+// What a unit of length costs on average, where the surface may be cut: 1 where weights are lengths. By it, results do
+// not depend on the unit of the weights.
+inline double cost_per_length(const Indexed_mesh& mesh, const Edge_constraints& constraints)
+{
+  double cost = 0, length = 0;
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!mesh.is_border_edge(e) && !constraints.is_forbidden(e))
+    {
+      cost += constraints.weights[e];
+      length += mesh.length(e);
+    }
+  return cost > 0 && length > 0 ? cost / length : 1;
+}
+
 // Whether the weights of the edges that may be cut are their lengths.
 inline bool weights_are_lengths(const Indexed_mesh& mesh, const Edge_constraints& constraints)
 {

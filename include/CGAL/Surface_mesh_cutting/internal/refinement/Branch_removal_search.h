@@ -34,27 +34,27 @@ struct Branch_removal
   int tip = -1;
   int new_tip = -1; // where the branch ends then, if it does not vanish
   std::vector<int> edges;
-  double length = 0;
+  double cost = 0; // saved
 };
 
-// Looks for the part of a cut that contributes least for its length. What closing a part costs is known
+// Looks for the part of a cut that contributes least for its cost. What closing a part costs is known
 // where it was tried. Elsewhere it grows with the square of the opening that has to vanish, so that the outer
 // half of a branch costs about a quarter of what all of it does.
 class Branch_removal_search
 {
-  static constexpr double cost_of_half = 0.25; // relative
+  static constexpr double energy_of_half = 0.25; // relative
 
 public:
   Branch_removal_search(const Indexed_mesh& mesh, const Edge_constraints& constraints)
     : m_mesh(mesh), m_constraints(constraints)
   {}
 
-  // Among what may cost at most `allowed_cost(length)`, the longest part of known cost, otherwise the one with
-  // the smallest opening per length. The tip is -1 if there is none. Branches end at `features`, if not before;
+  // Among what may cost at most `allowed_energy(cost)`, the most expensive part of known energy, otherwise the one with
+  // the smallest opening per cost. The tip is -1 if there is none. Branches end at `features`, if not before;
   // those with the tip at a vertex with `is_kept` stay.
-  template <typename AllowedCost>
+  template <typename AllowedEnergy>
   Branch_removal best(const Incremental_parameterization& map, const std::vector<int>& features,
-               const std::vector<char>& is_kept, AllowedCost allowed_cost) const
+               const std::vector<char>& is_kept, AllowedEnergy allowed_energy) const
   {
     std::vector<char> is_end(m_mesh.number_of_vertices(), 0);
     for(int v : features)
@@ -67,20 +67,20 @@ public:
     {
       if(is_kept[branch.vertices.front()])
         continue;
-      double least_cost = 0; // about
-      for(std::size_t size = number_of_free_edges(branch); size > 0; size /= 2, least_cost *= cost_of_half)
+      double least_energy = 0; // about
+      for(std::size_t size = number_of_free_edges(branch); size > 0; size /= 2, least_energy *= energy_of_half)
       {
         if(open_edges < size + 2) // it takes two open edges on a closed surface
           continue;
         Branch_removal removal = outer_part(branch, size);
-        const auto known = m_costs.find({removal.tip, removal.new_tip});
-        if(known != m_costs.end())
-          least_cost = known->second;
-        if(!(least_cost < allowed_cost(removal.length)))
+        const auto known = m_energies.find({removal.tip, removal.new_tip});
+        if(known != m_energies.end())
+          least_energy = known->second;
+        if(!(least_energy < allowed_energy(removal.cost)))
           continue;
-        const std::pair<double, double> rank = known != m_costs.end()
-                                               ? std::make_pair(0., -removal.length)
-                                               : std::make_pair(1., squared_opening(branch, size, seam_openings) / removal.length);
+        const std::pair<double, double> rank = known != m_energies.end()
+                                               ? std::make_pair(0., -removal.cost)
+                                               : std::make_pair(1., squared_opening(branch, size, seam_openings) / removal.cost);
         if(best.tip < 0 || rank < best_rank)
         {
           best = std::move(removal);
@@ -93,7 +93,7 @@ public:
   }
 
   // What closing this part costs, in energy.
-  void remember(const Branch_removal& removal, double cost) { m_costs[{removal.tip, removal.new_tip}] = cost; }
+  void remember(const Branch_removal& removal, double energy) { m_energies[{removal.tip, removal.new_tip}] = energy; }
 
 private:
   // Mandatory edges, and what is between them and the rest of the cut, stay.
@@ -110,7 +110,7 @@ private:
     if(size < branch.edges.size())
       removal.new_tip = branch.vertices[size];
     removal.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
-    removal.length = total_length(m_mesh, removal.edges);
+    removal.cost = total_cost(m_constraints, removal.edges);
     return removal;
   }
 
@@ -132,7 +132,7 @@ private:
 
   const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
-  std::map<std::pair<int, int>, double> m_costs; // by former and new tip
+  std::map<std::pair<int, int>, double> m_energies; // by former and new tip
 };
 
 } // namespace internal

@@ -36,7 +36,7 @@ struct Mapped_cut
   std::vector<int> features;
   Connected_cut tree;
   bool is_connected = false; // whether the tree is one through the features; it was one through earlier ones
-  double length = 0;         // of the cut of the chart
+  double cost = 0;           // of the cut of the chart
   Open_chart chart;
 };
 
@@ -44,8 +44,8 @@ struct Mapped_cut
 struct Refinement_limits
 {
   double energy = std::numeric_limits<double>::infinity(); // area-averaged, at most
-  // What a piece of the cut may cost at most, in energy per length, for its removal to pay.
-  double energy_per_length = std::numeric_limits<double>::infinity();
+  // What a piece of the cut may cost at most, in energy per cost, for its removal to pay.
+  double energy_per_cost = std::numeric_limits<double>::infinity();
   int number_of_solves = 0; // at most, for shortening
   // Whether a tree through the features has to remain one: where only they are handed on, a cut that
   // is bent otherwise would be lost.
@@ -89,7 +89,7 @@ public:
   // Replaces the tree by another cut through the features, and its map.
   void replace_tree(Open_chart chart)
   {
-    m_length = cut_length(m_mesh, chart.cut);
+    m_cost = cut_cost(m_constraints, chart.cut);
     m_map.restore(std::move(chart));
     record();
   }
@@ -103,7 +103,7 @@ public:
   // All cuts that were mapped.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
-  // Opens slits until the energy is at most `bound`, each the one with the best gain per length, as
+  // Opens slits until the energy is at most `bound`, each the one with the best gain per cost, as
   // long as that is more than `least_gain`. The tree through all points is shorter than the cut with
   // the slits; it is taken if it keeps the bound, too. False if no slit helps any more.
   bool reduce_distortion_to(double bound, double least_gain = 0)
@@ -118,7 +118,7 @@ public:
         break;
       // A few slits repair what the other tree lost; if that is longer in the end, the former one
       // stays.
-      if(!open_slits_until(bound, least_gain) || m_length >= former.length)
+      if(!open_slits_until(bound, least_gain) || m_cost >= former.cost)
       {
         restore(std::move(former));
         break;
@@ -127,8 +127,8 @@ public:
     return m_map.energy() <= bound;
   }
 
-  // Drops or trims branches, those first that seem to cost least energy for their length. Then exchanges: slits
-  // with the best gain per length are opened until more of the branches can be dropped than was opened. All as
+  // Drops or trims branches, those first that seem to cost least energy for their cost. Then exchanges: slits
+  // with the best gain per cost are opened until more of the branches can be dropped than was opened. All as
   // long as the limits allow and the budget of solves lasts. What is left is straightened by the tree through the
   // remaining features.
   void shorten(const Refinement_limits& limits)
@@ -151,19 +151,19 @@ private:
   {
     m_tree = connect_terminals<ConcurrencyTag>(m_mesh, m_constraints, m_features, options, m_control);
     m_is_connected = true;
-    m_length = cut_length(m_mesh, m_tree.cut);
+    m_cost = cut_cost(m_constraints, m_tree.cut);
   }
 
-  void record() { m_trade_offs.push_back({m_length, m_map.energy()}); }
+  void record() { m_trade_offs.push_back({cut_length(m_mesh, m_map.cut()), m_cost, m_map.energy()}); }
 
-  Mapped_cut state() const { return {m_features, m_tree, m_is_connected, m_length, m_map.state()}; }
+  Mapped_cut state() const { return {m_features, m_tree, m_is_connected, m_cost, m_map.state()}; }
 
   void restore(Mapped_cut state)
   {
     m_features = std::move(state.features);
     m_tree = std::move(state.tree);
     m_is_connected = state.is_connected;
-    m_length = state.length;
+    m_cost = state.cost;
     m_map.restore(std::move(state.chart));
   }
 
@@ -176,7 +176,7 @@ private:
       return false;
     m_features.push_back(slit.tip);
     m_is_connected = false;
-    m_length += slit.length;
+    m_cost += slit.cost;
     record();
     return true;
   }
@@ -194,7 +194,7 @@ private:
       if(i > maximum_number_of_slits || m_map.is_given_up())
         return false;
       const Slit slit = m_slits.best(m_map, is_excluded);
-      if(slit.tip < 0 || slit.gain_per_length() < least_gain)
+      if(slit.tip < 0 || slit.gain_per_cost() < least_gain)
         return false;
       if(!open(slit))
         return false;
@@ -213,10 +213,10 @@ private:
     return true;
   }
 
-  // The most energy that a cut may have in exchange for so much length.
-  static double largest_energy(const Refinement_limits& limits, double energy, double saved_length)
+  // The most energy that a cut may have in exchange for so much cost.
+  static double largest_energy(const Refinement_limits& limits, double energy, double saved_cost)
   {
-    return (std::min)(limits.energy, energy + limits.energy_per_length * saved_length);
+    return (std::min)(limits.energy, energy + limits.energy_per_cost * saved_cost);
   }
 
   bool is_tree() const { return m_is_connected && m_map.cut() == m_tree.cut; }
@@ -229,7 +229,7 @@ private:
     connect(m_parameters.connection_while_refining());
     if(m_tree.status)
     {
-      const double saved = former.length - m_length;
+      const double saved = former.cost - m_cost;
       if(m_tree.cut == former.chart.cut ||
          (saved > 0 && map(m_tree.cut, largest_energy(limits, former.chart.energy, saved))))
         return true;
@@ -244,13 +244,13 @@ private:
   void drop_branches(const Refinement_limits& limits, int maximum_number_of_failures, const std::vector<char>& is_kept)
   {
     constexpr double worthwhile = 0.1; // of epsilon_len: removing less is not worth a solve
-    const double shortest = worthwhile * m_parameters.connection.minimum_length_decrease;
-    const auto allowed_cost = [&](double length)
-    { return length < shortest ? 0 : largest_energy(limits, m_map.energy(), length) - m_map.energy(); };
+    const double least = worthwhile * m_parameters.connection.minimum_length_decrease;
+    const auto allowed_energy = [&](double cost)
+    { return cost < least ? 0 : largest_energy(limits, m_map.energy(), cost) - m_map.energy(); };
     int number_of_failures = 0;
     while(m_solves_left > 0 && number_of_failures < maximum_number_of_failures && goes_on())
     {
-      const Branch_removal removal = m_removals.best(m_map, m_features, is_kept, allowed_cost);
+      const Branch_removal removal = m_removals.best(m_map, m_features, is_kept, allowed_energy);
       if(removal.tip < 0)
         break;
       --m_solves_left;
@@ -269,8 +269,8 @@ private:
     Cut cut = m_map.cut();
     for(int e : removal.edges)
       cut[e] = 0;
-    m_length = cut_length(m_mesh, cut);
-    bool is_within = map(cut, largest_energy(limits, former.chart.energy, removal.length));
+    m_cost = cut_cost(m_constraints, cut);
+    bool is_within = map(cut, largest_energy(limits, former.chart.energy, removal.cost));
     double cost = m_map.energy() - former.chart.energy;
     if(is_within && was_tree && !reconnect(limits) && limits.keeps_tree)
     {
@@ -302,7 +302,7 @@ private:
       if(!open(slit))
         break;
       drop_branches(limits, number_of_attempts, is_kept);
-      if(m_length < former.length && m_map.energy() <= limits.energy && (!needs_tree || reconnect(limits)))
+      if(m_cost < former.cost && m_map.energy() <= limits.energy && (!needs_tree || reconnect(limits)))
         return true;
     }
     restore(std::move(former));
@@ -320,7 +320,7 @@ private:
   std::vector<int> m_features;
   Connected_cut m_tree;
   bool m_is_connected = false;
-  double m_length = 0;
+  double m_cost = 0;
   int m_solves_left = 0;
   std::vector<Trade_off> m_trade_offs;
 };

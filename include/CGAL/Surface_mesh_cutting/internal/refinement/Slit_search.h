@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -31,12 +32,15 @@ struct Slit
 {
   int tip = -1;
   std::vector<int> edges;
-  double length = 0, gain = 0;
+  double cost = 0, gain = 0;
 
-  double gain_per_length() const { return length > 0 ? gain / length : 0; }
+  double gain_per_cost() const
+  {
+    return cost > 0 ? gain / cost : gain > 0 ? std::numeric_limits<double>::infinity() : 0;
+  }
 };
 
-// Looks for the slit that lowers the distortion most for its length. Promising are ends where the
+// Looks for the slit that lowers the distortion most for its cost. Promising are ends where the
 // distortion is large and the cut is far: there is distortion all along the way. The few most
 // promising ones are tried among the local maximizers of the distortion and of that product; the
 // former may all lie on the cut.
@@ -56,7 +60,7 @@ public:
     std::vector<double> score(distortion.size(), 0);
     for(std::size_t v = 0; v < score.size(); ++v)
       if(!is_excluded[v] && m_paths.distance(int(v)) < Shortest_paths::infinity())
-        score[v] = (distortion[v] - Symmetric_Dirichlet_energy::ideal) * m_paths.distance(int(v));
+        score[v] = (distortion[v] - Symmetric_Dirichlet_energy::ideal) * worth(int(v));
     std::vector<std::pair<double, int> > proposals;
     for(bool by_score : {false, true})
       for(int v : local_maximizers(m_mesh, by_score ? score : distortion))
@@ -72,7 +76,7 @@ public:
     {
       Slit slit = slit_from(proposal.second);
       slit.gain = map.estimate_gain(slit.edges);
-      if(slit.gain_per_length() > best.gain_per_length())
+      if(slit.gain_per_cost() > best.gain_per_cost())
         best = std::move(slit);
     }
     return best;
@@ -86,8 +90,26 @@ private:
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(is_open[v])
         m_paths.add_source(v);
-    m_paths.run([](int) { return true; },
+    m_lengths.assign(m_mesh.number_of_vertices(), 0);
+    m_paths.run([this](int v)
+                {
+                  const int e = m_paths.last_edge(v);
+                  if(e >= 0)
+                  {
+                    const int h = m_mesh.halfedge(e), former = m_mesh.source(h) == v ? m_mesh.target(h) : m_mesh.source(h);
+                    m_lengths[v] = m_lengths[former] + m_mesh.length(e);
+                  }
+                  return true;
+                },
                 [this](int a) { return m_constraints.weights[m_mesh.graph().arcs[a].edge]; });
+  }
+
+  // The length of the way to the cut: what distortion there is along it is gained. The less, the more a unit of it
+  // costs.
+  double worth(int v) const
+  {
+    const double length = m_lengths[v], cost = m_paths.distance(v);
+    return cost > 0 ? length * (length / cost) : length;
   }
 
   Slit slit_from(int v) const
@@ -95,13 +117,14 @@ private:
     Slit slit;
     slit.tip = v;
     m_paths.path(v, std::back_inserter(slit.edges));
-    slit.length = total_length(m_mesh, slit.edges);
+    slit.cost = total_cost(m_constraints, slit.edges);
     return slit;
   }
 
   const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
   Shortest_paths m_paths;
+  std::vector<double> m_lengths; // of the paths
 };
 
 } // namespace internal

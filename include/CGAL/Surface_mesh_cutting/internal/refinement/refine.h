@@ -52,9 +52,9 @@ void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, c
   }
   else
   {
-    refiner.reduce_distortion_to(goal.repair_threshold, parameters.decrease_per_length);
+    refiner.reduce_distortion_to(goal.repair_threshold, parameters.decrease_per_cost);
     limits.energy = refiner.chart().energy + parameters.minimum_distortion_decrease;
-    limits.energy_per_length = parameters.decrease_per_length;
+    limits.energy_per_cost = parameters.decrease_per_cost;
   }
   refiner.shorten(limits);
 }

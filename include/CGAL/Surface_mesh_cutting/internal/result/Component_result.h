@@ -33,7 +33,7 @@ struct Component_result
   int number_of_candidates = 0, number_of_auxiliary_points = 0;
   std::vector<int> features;
   Cut cut;
-  double length = 0, lower_bound = 0;
+  double length = 0, cost = 0, lower_bound = 0;
   bool is_optimal = false;
   Corner_table chart;
   std::vector<Eigen::Vector2d> uv;
@@ -45,17 +45,19 @@ struct Component_result
     trade_offs.insert(trade_offs.end(), others.begin(), others.end());
   }
 
-  // From short to long. What claims to be better than the result on both counts was measured on a
+  // From cheap to expensive. What claims to be better than the result on both counts was measured on a
   // coarser version and does not hold.
   void keep_undominated_trade_offs()
   {
     std::vector<Trade_off> all;
     for(const Trade_off& t : trade_offs)
-      if(t.cut_length > length || t.average_distortion > energy)
+      if(t.cut_cost > cost || t.average_distortion > energy)
         all.push_back(t);
-    all.push_back({length, energy});
+    all.push_back({length, cost, energy});
     std::sort(all.begin(), all.end(), [](const Trade_off& a, const Trade_off& b)
-              { return a.cut_length != b.cut_length ? a.cut_length < b.cut_length : a.average_distortion < b.average_distortion; });
+              {
+                return a.cut_cost != b.cut_cost ? a.cut_cost < b.cut_cost : a.average_distortion < b.average_distortion;
+              });
     trade_offs.clear();
     for(const Trade_off& t : all)
       if(trade_offs.empty() || t.average_distortion < trade_offs.back().average_distortion)

@@ -36,7 +36,7 @@ struct Mesh_result
   int number_of_candidates = 0, number_of_auxiliary_points = 0;
   std::vector<int> features;
   Cut cut;
-  double length = 0, lower_bound = 0, diagonal = 0;
+  double length = 0, cost = 0, lower_bound = 0, diagonal = 0;
   bool is_optimal = true;
   Corner_table chart;
   std::vector<Eigen::Vector2d> uv;

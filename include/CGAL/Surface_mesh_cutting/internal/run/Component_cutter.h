@@ -51,7 +51,7 @@ public:
     return result;
   }
 
-  // Runs from as many starts as the parameters say. The best is the shortest of those whose energy
+  // Runs from as many starts as the parameters say. The best is the cheapest of those whose energy
   // is within epsilon_iso of the lowest, if possible among those that keep the bound. Only where no cut is there
   // yet, the start matters.
   Component_result run(bool needs_uv)
@@ -91,7 +91,7 @@ private:
                                                : lowest + parameters.minimum_distortion_decrease;
     Component_result* best = nullptr;
     for(Component_result& r : results)
-      if(r.energy <= limit && (best == nullptr || r.length < best->length))
+      if(r.energy <= limit && (best == nullptr || r.cost < best->cost))
         best = &r;
     return std::move(*best);
   }

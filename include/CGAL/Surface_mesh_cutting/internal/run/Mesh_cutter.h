@@ -62,6 +62,7 @@ public:
     const Cut& mandatory = m_constraints.edges.mandatory;
     result.cut = mandatory;
     result.length = result.lower_bound = cut_length(m_mesh, mandatory);
+    result.cost = cut_cost(m_constraints.edges, mandatory);
     const std::vector<Indexed_component> components = split_along(m_mesh, mandatory);
     std::vector<Component_result> parts = cut_components(components, output);
     for(std::size_t i = 0; i < components.size(); ++i)
@@ -139,6 +140,9 @@ private:
     Component_result part;
     Edge_constraints constraints = restriction(m_constraints.edges, component);
     constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
+    const double cost_unit = cost_per_length(component.mesh, constraints);
+    for(double& w : constraints.weights)
+      w /= cost_unit;
     std::vector<int> terminals = inner_terminals(component, m_constraints.terminals);
     part.status = restrict_to_feasible_component(component.mesh, component.topology, terminals, constraints);
     if(!part.status)
@@ -146,7 +150,7 @@ private:
     Cutting_parameters parameters = m_context.parameters;
     const double diagonal = bounding_box_diagonal(component.mesh);
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
-    parameters.decrease_per_length /= diagonal;
+    parameters.decrease_per_cost /= diagonal;
     const Indexed_mesh& mesh = component.mesh;
     Problem problem{mesh,
                     Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()),
@@ -155,7 +159,11 @@ private:
                     Initial_cut(component.restriction(m_constraints.initial)),
                     component.topology.genus() == 0 && component.topology.border_loops == 0};
     Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_context.control, m_context.clock});
-    return output == Output_kind::FEATURES ? cutter.detect() : cutter.run(output == Output_kind::MAP);
+    part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(output == Output_kind::MAP);
+    part.cost *= cost_unit;
+    for(Trade_off& t : part.trade_offs)
+      t.cut_cost *= cost_unit;
+    return part;
   }
 
   static bool has_result(const Component_result& part, Output_kind output)
@@ -178,8 +186,9 @@ private:
     component.add_to(part.cut, result.cut);
     result.number_of_auxiliary_points += part.number_of_auxiliary_points;
     for(const Trade_off& t : part.trade_offs) // of the first component: with the mandatory edges
-      result.trade_offs.push_back({result.length + t.cut_length, t.average_distortion});
+      result.trade_offs.push_back({result.length + t.cut_length, result.cost + t.cut_cost, t.average_distortion});
     result.length += part.length;
+    result.cost += part.cost;
     result.lower_bound += part.lower_bound;
     result.is_optimal = result.is_optimal && part.is_optimal;
     if(m_context.parameters.needs_optimal_tree && !part.is_optimal)
@@ -280,7 +289,7 @@ private:
     result.average_energy = energies.average;
     result.maximum_energy = energies.maximum;
     for(Trade_off& t : result.trade_offs) // the result is one of them
-      if(t.cut_length == result.length)
+      if(t.cut_length == result.length && t.cut_cost == result.cost)
         t.average_distortion = result.average_energy;
     if(measures.has_thickened_faces())
       result.status.warnings.push_back(Finding{Status_code::OK, "the mean energy without the faces of (nearly) no area is "

@@ -93,6 +93,7 @@ private:
     std::sort(result.features.begin(), result.features.end());
     result.cut = cut;
     result.length = cut_length(m_problem.mesh, cut);
+    result.cost = cut_cost(m_problem.constraints, cut);
     result.lower_bound = cut_length(m_problem.mesh, m_problem.constraints.mandatory);
     if(refiner.is_connected())
       result.lower_bound += tree.lower_bound;
@@ -165,7 +166,7 @@ private:
       const bool is_kept = result.has_map && result.energy <= bound;
       (is_kept ? kept : failed) = target;
       target = kept > ideal ? (kept + failed) / 2 : lowered(target, result.energy - bound);
-      if(is_kept ? best.energy > bound || result.length < best.length
+      if(is_kept ? best.energy > bound || result.cost < best.cost
                  : result.has_map && result.energy < best.energy && best.energy > bound)
         best = std::move(result);
       else

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/coarse_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Feature_detector.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
@@ -63,7 +64,7 @@ inline Cutting_parameters parameters_on_coarse_mesh(const Cutting_parameters& pa
   constexpr double resolved_gain = 0.85;
   Cutting_parameters result = parameters;
   result.minimum_distortion_decrease *= resolved_gain;
-  result.decrease_per_length *= resolved_gain;
+  result.decrease_per_cost *= resolved_gain;
   return result;
 }
 
@@ -99,7 +100,7 @@ inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, c
   return result;
 }
 
-// Ignores constraints; unreachable features are removed when lifted. Also refines here, where that is
+// Terminals do not matter here; unreachable features are removed when lifted. Also refines here, where that is
 // cheap.
 template <typename ConcurrencyTag>
 Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start, const Context& context)
@@ -111,7 +112,7 @@ Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start,
     return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2);
   }();
   Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
-                  unconstrained(coarse.mesh), {}, Initial_cut(), fine.is_sphere};
+                  coarse_constraints(fine.mesh, fine.constraints, coarse), {}, Initial_cut(), fine.is_sphere};
   Detected_features detected;
   detected.status = cut_handles_of(problem, context);
   if(!detected.status)

@@ -103,8 +103,8 @@ Cutting_parameters read_cutting_parameters(const NamedParameters& np)
   if(!p.use_published_method)
     set_effort(choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT), p);
   else
-    p.decrease_per_length = 0;
-  read(get_parameter(np, internal_np::minimum_decrease_per_length), p.decrease_per_length);
+    p.decrease_per_cost = 0;
+  read(get_parameter(np, internal_np::minimum_decrease_per_length), p.decrease_per_cost);
   read(get_parameter(np, internal_np::coarse_number_of_faces), p.coarse_number_of_faces);
   return p;
 }
@@ -121,7 +121,7 @@ inline Indexed_status check_parameters(const Cutting_parameters& p)
     return refuse("minimum_length_decrease", "finite and not negative");
   if(!(p.maximum_average_distortion > ideal))
     return refuse("maximum_average_distortion", "greater than 4, the energy of an isometric map");
-  if(!is_non_negative(p.decrease_per_length))
+  if(!is_non_negative(p.decrease_per_cost))
     return refuse("minimum_decrease_per_length", "finite and not negative");
   if(p.coarse_number_of_faces < 0)
     return refuse("coarse_number_of_faces", "not negative");

@@ -56,6 +56,7 @@ void translate(const Mesh_result& found, const Adapter& adapter, Cut_result<Tria
     result.feature_points.push_back(adapter.to_vertex(v));
   result.bounding_box_diagonal = adapter.to_original_scale(found.diagonal);
   result.cut_length = adapter.to_original_scale(found.length);
+  result.cut_cost = adapter.to_original_scale(found.cost);
   if(found.lower_bound > 0)
   {
     result.lower_bound = adapter.to_original_scale(found.lower_bound);
@@ -63,7 +64,8 @@ void translate(const Mesh_result& found, const Adapter& adapter, Cut_result<Tria
   }
   result.has_result = found.has_result;
   for(const Trade_off& t : found.trade_offs)
-    result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), t.average_distortion});
+    result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), adapter.to_original_scale(t.cut_cost),
+                                 t.average_distortion});
 }
 
 template <typename TriangleMesh, typename Adapter>
