@@ -46,6 +46,16 @@ class Stopping(Case):
                 program.send_signal(number)
                 self.assert_ends(program, 6)
 
+    def test_while_a_library_handles_the_signal(self):
+        """METIS catches SIGTERM for itself while it orders a large system."""
+        self.write("large.off", LARGE)
+        for tenths in range(2, 9):
+            with self.subTest(moment=tenths / 10):
+                program = self.start("large.off", "--faithful", "--json", "r.json")
+                time.sleep(tenths / 10)
+                program.send_signal(signal.SIGTERM)
+                self.assert_ends(program, 6)
+
     def test_the_clock_starts_with_the_program(self):
         """What reading takes counts."""
         self.write("large.off", LARGE)

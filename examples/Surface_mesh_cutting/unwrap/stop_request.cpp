@@ -7,6 +7,8 @@
 #include <chrono>
 #include <csignal>
 #include <limits>
+#include <mutex>
+#include <thread>
 
 namespace {
 
@@ -16,28 +18,35 @@ const Clock::time_point start = Clock::now();
 double time_limit = std::numeric_limits<double>::infinity(); // in seconds
 
 std::atomic<bool> was_signaled{false};
-std::atomic<int> undisturbed_scopes{0};
+std::recursive_mutex undisturbed;
 
-void handle(int signal, void (*handler)(int))
-{
-  struct sigaction action = {};
-  action.sa_handler = handler;
-  sigaction(signal, &action, nullptr);
-}
-
+// Ends the program as the signal would have without us, but for the temporary files.
 void end_at_once(int signal)
 {
-  if(undisturbed_scopes != 0) // for a moment: sending the signal again will do
-    return;
+  const std::lock_guard<std::recursive_mutex> lock(undisturbed);
   remove_temporary_files();
-  handle(signal, SIG_DFL);
+  std::signal(signal, SIG_DFL);
   raise(signal);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, signal);
+  pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
 }
 
-void note_signal(int signal)
+void wait_for_signals(sigset_t signals)
 {
-  was_signaled = true;
-  handle(signal, end_at_once);
+  sigset_t noted;
+  sigemptyset(&noted);
+  for(;;)
+  {
+    int signal = 0;
+    if(sigwait(&signals, &signal) != 0)
+      continue;
+    if(signal == SIGQUIT || sigismember(&noted, signal))
+      end_at_once(signal);
+    sigaddset(&noted, signal);
+    was_signaled = true;
+  }
 }
 
 bool is_ignored(int signal)
@@ -48,13 +57,19 @@ bool is_ignored(int signal)
 
 } // namespace
 
+// A thread waits for the signals, and all others block them: libraries have handlers of their own. That of METIS, for
+// SIGTERM, would end its computation alone, and the signal would be lost.
 void watch_for_signals()
 {
-  handle(SIGINT, note_signal);
-  handle(SIGTERM, note_signal);
-  if(!is_ignored(SIGHUP)) // nohup means it
-    handle(SIGHUP, note_signal);
-  handle(SIGQUIT, end_at_once);
+  sigset_t signals;
+  sigemptyset(&signals);
+  for(const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+    if(signal != SIGHUP || !is_ignored(signal)) // nohup means it
+      sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  for(const int signal : {SIGINT, SIGTERM, SIGQUIT})
+    std::signal(signal, SIG_DFL); // what is ignored could not be waited for
+  std::thread(wait_for_signals, signals).detach();
 }
 
 void set_time_limit(double seconds) { time_limit = seconds; }
@@ -71,6 +86,6 @@ void end_if_stop_is_requested()
     throw Failure(Exit_code::STOPPED, was_signaled ? "stopped by a signal" : "stopped by the time limit");
 }
 
-Undisturbed::Undisturbed() { ++undisturbed_scopes; }
+Undisturbed::Undisturbed() { undisturbed.lock(); }
 
-Undisturbed::~Undisturbed() { --undisturbed_scopes; }
+Undisturbed::~Undisturbed() { undisturbed.unlock(); }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A signal handler must not allocate. A run has at most two for each of its six outputs.
+// Arrays, which are there even when a signal comes while the program exits. A run has at most two for each of its six outputs.
 constexpr std::size_t capacity = 16;
 constexpr std::size_t name_size = 4096;
 char names[capacity][name_size];

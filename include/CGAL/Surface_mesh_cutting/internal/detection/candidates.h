@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
@@ -86,35 +87,6 @@ inline std::vector<double> proxy_distortion(const Indexed_mesh& mesh, const std:
   return vertex_averages(shapes, mesh.triangles(),
                          face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv),
                          mesh.number_of_vertices());
-}
-
-// The vertices with no larger value next to them, one (the lowest) for each plateau. O(n).
-inline std::vector<int> local_maximizers(const Indexed_mesh& mesh, const std::vector<double>& values)
-{
-  std::vector<int> maximizers, plateau;
-  std::vector<char> is_visited(values.size(), 0);
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-  {
-    if(is_visited[v] || mesh.is_isolated(v))
-      continue;
-    bool is_maximal = true;
-    plateau.assign(1, v);
-    is_visited[v] = 1;
-    for(std::size_t i = 0; i < plateau.size(); ++i)
-      for(int a = mesh.graph().offsets[plateau[i]]; a < mesh.graph().offsets[plateau[i] + 1]; ++a)
-      {
-        const int w = mesh.graph().arcs[a].target;
-        is_maximal = is_maximal && values[w] <= values[v];
-        if(values[w] == values[v] && !is_visited[w])
-        {
-          is_visited[w] = 1;
-          plateau.push_back(w);
-        }
-      }
-    if(is_maximal)
-      maximizers.push_back(v);
-  }
-  return maximizers;
 }
 
 // The distance to the closest vertex with a larger value, infinite for the maximum. The search ends

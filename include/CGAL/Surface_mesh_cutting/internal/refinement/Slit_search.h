@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
 #include <algorithm>
 #include <iterator>
