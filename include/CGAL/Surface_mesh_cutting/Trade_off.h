@@ -22,8 +22,8 @@ namespace Surface_mesh_cutting {
 /// the length of a cut that a run considered, and the distortion of the surface opened along it.
 struct Trade_off
 {
-  double cut_length = 0; ///< total length of the cut edges.
-  double average_distortion = 0;      ///< area-averaged symmetric Dirichlet energy; 4 is ideal.
+  double cut_length = 0;         ///< total length of the cut edges.
+  double average_distortion = 0; ///< area-averaged symmetric Dirichlet energy; 4 is ideal.
 };
 
 } // namespace Surface_mesh_cutting
