@@ -65,7 +65,8 @@ def run_many(arguments):
 
 
 def main():
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # under nohup, programs inherit that it is ignored, and rightly do so
+    for ignored in (signal.SIGHUP, signal.SIGINT):  # by nohup, and in the background; programs inherit that, and rightly so
+        signal.signal(ignored, signal.SIG_DFL)
     arguments = parse()
     if arguments.only is not None:
         run_only(arguments)

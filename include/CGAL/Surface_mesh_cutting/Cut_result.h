@@ -44,8 +44,8 @@ struct Cut_result
   int genus = 0;      ///< sum of the genera of the components.
   int borders = 0;    ///< number of border loops of the surface.
 
-  int number_of_candidates = 0; ///< number of candidates for feature points.
-  int number_of_features = 0; ///< number of feature points.
+  int number_of_candidates = 0;       ///< number of candidates for feature points.
+  int number_of_features = 0;         ///< number of feature points.
   int number_of_auxiliary_points = 0; ///< number of branch points that the connection added.
   /// the feature points.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> feature_points;

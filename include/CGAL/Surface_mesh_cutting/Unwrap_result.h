@@ -33,7 +33,8 @@ struct Unwrap_result : public Cut_result<TriangleMesh>
   /// count; those of nearly none are mapped as if they were thicker, yet measured as they are.
   double average_distortion = 0;
   double largest_face_distortion = 0; ///< largest symmetric Dirichlet energy of a face that has an area.
-  int flips = 0;    ///< number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.
+  /// number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.
+  int flips = 0;
   /// number of overlaps, decided exactly; empty without `do_bijective`, and 0 if there is a result.
   std::optional<int> overlaps;
 };

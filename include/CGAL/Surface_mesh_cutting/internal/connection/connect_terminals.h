@@ -98,7 +98,7 @@ private:
     if(isolated.empty())
       return Indexed_status();
     return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
-                       Element_kind::VERTEX, std::move(isolated));
+                          Element_kind::VERTEX, std::move(isolated));
   }
 
   std::vector<Part> make_parts(const std::vector<int>& terminals) const
@@ -147,8 +147,8 @@ private:
     CGAL_assertion(m_topologies[index].genus() == 0); // handles are cut first
     if(part.is_closed && part.terminals.size() < 2)
       return Indexed_status(Status_code::WRONG_PARAMETER,
-                         "a closed part with fewer than two vertices to connect",
-                         Element_kind::FACE, faces(index));
+                            "a closed part with fewer than two vertices to connect",
+                            Element_kind::FACE, faces(index));
     // What is allowed is connected, as it leaves only disks; only vertices inside those are not on
     // it.
     std::vector<int> enclosed;
@@ -159,8 +159,8 @@ private:
     if(enclosed.empty())
       return Indexed_status();
     return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                       "vertices reachable only through forbidden edges",
-                       Element_kind::VERTEX, std::move(enclosed));
+                          "vertices reachable only through forbidden edges",
+                          Element_kind::VERTEX, std::move(enclosed));
   }
 
   std::vector<int> faces(int part) const
@@ -183,7 +183,7 @@ private:
   {
     if(solution.outcome == Outcome::budget_exceeded && solution.tree.edges.empty())
       m_result.status = Indexed_status(Status_code::WRONG_PARAMETER,
-                                    "maximum_number_of_states is too small for the method");
+                                       "maximum_number_of_states is too small for the method");
     else if(solution.outcome == Outcome::cancelled && m_result.status)
       m_result.status = Indexed_status(Status_code::STOPPED, "stopped while connecting");
     std::vector<int> halfedges;
@@ -225,8 +225,8 @@ private:
       if(best < 0 || m_constraints.is_forbidden(m_mesh.edge(best)))
       {
         m_result.status = Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                                      "forbidden edges leave a border of two edges",
-                                      Element_kind::FACE, {loop.front() / 3});
+                                         "forbidden edges leave a border of two edges",
+                                         Element_kind::FACE, {loop.front() / 3});
         return;
       }
       open({best});

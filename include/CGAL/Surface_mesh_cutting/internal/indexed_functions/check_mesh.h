@@ -30,11 +30,11 @@ CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& m
   std::vector<int> found = vertices_with_several_fans(mesh);
   if(!found.empty())
     return Indexed_status(Status_code::NON_MANIFOLD, "vertices whose faces form more than one fan",
-                       Element_kind::VERTEX, std::move(found));
+                          Element_kind::VERTEX, std::move(found));
   found = faces_given_twice(mesh);
   if(!found.empty())
     return Indexed_status(Status_code::NON_MANIFOLD, "duplicate faces",
-                       Element_kind::FACE, std::move(found));
+                          Element_kind::FACE, std::move(found));
 
   Indexed_status status;
   status.warnings = mesh_warnings(mesh);

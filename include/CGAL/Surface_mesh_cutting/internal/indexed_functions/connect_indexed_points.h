@@ -51,7 +51,7 @@ Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints 
     }
   if(result.status && parameters.needs_optimal_tree && !result.is_optimal)
     result.status = Indexed_status(Status_code::BOUND_NOT_REACHED,
-                                "the connection is not proven shortest");
+                                   "the connection is not proven shortest");
   return result;
 }
 

@@ -122,7 +122,7 @@ inline Edge_constraints restriction(const Edge_constraints& whole, const Indexed
 }
 
 inline Indexed_status check_no_edge_is_mandatory_and_forbidden(const Indexed_mesh& mesh,
-                                                            const Edge_constraints& constraints)
+                                                               const Edge_constraints& constraints)
 {
   std::vector<int> conflicts;
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -131,7 +131,7 @@ inline Indexed_status check_no_edge_is_mandatory_and_forbidden(const Indexed_mes
   if(conflicts.empty())
     return Indexed_status();
   return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "edges both mandatory and forbidden",
-                     Element_kind::EDGE, std::move(conflicts));
+                        Element_kind::EDGE, std::move(conflicts));
 }
 
 // Cuts every permitted edge and checks what remains: each part, held together by forbidden edges,
@@ -144,7 +144,7 @@ inline Indexed_status check_no_edge_is_mandatory_and_forbidden(const Indexed_mes
 // be reached iff all parts are disks.
 template <typename IsPossible>
 Indexed_status check_forbidden_edges(const Indexed_mesh& mesh, const Edge_constraints& constraints,
-                                  IsPossible is_possible, const std::string& message)
+                                     IsPossible is_possible, const std::string& message)
 {
   const Corner_table chart = make_chart(mesh, allowed_edges(mesh, constraints));
   const Connected_parts parts(chart.opposites());
@@ -158,12 +158,12 @@ Indexed_status check_forbidden_edges(const Indexed_mesh& mesh, const Edge_constr
        parts.part[mesh.halfedge(e) / 3] == bad - topology.begin())
       edges.push_back(e);
   return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, message, Element_kind::EDGE,
-                     std::move(edges));
+                        std::move(edges));
 }
 
 // Whether the constraints leave a way to cut all handles.
 inline Indexed_status check_handles_can_be_cut(const Indexed_mesh& mesh,
-                                            const Edge_constraints& constraints)
+                                               const Edge_constraints& constraints)
 {
   Indexed_status status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
   if(status)
@@ -175,7 +175,7 @@ inline Indexed_status check_handles_can_be_cut(const Indexed_mesh& mesh,
 
 // Whether the constraints leave a way to cut the surface to disks.
 inline Indexed_status check_disks_can_be_reached(const Indexed_mesh& mesh,
-                                              const Edge_constraints& constraints)
+                                                 const Edge_constraints& constraints)
 {
   Indexed_status status = check_handles_can_be_cut(mesh, constraints);
   if(status)

@@ -200,8 +200,8 @@ private:
     }
     if(!invalid.empty())
       return Indexed_status(Status_code::INVALID_POINT,
-                         "vertices with a coordinate that is infinite or not a number",
-                         Element_kind::VERTEX, std::move(invalid));
+                            "vertices with a coordinate that is infinite or not a number",
+                            Element_kind::VERTEX, std::move(invalid));
     return Indexed_status();
   }
 
@@ -235,15 +235,15 @@ private:
     }
     if(!other.empty())
       return Indexed_status(Status_code::NOT_TRIANGULATED,
-                         "faces that do not have three different vertices",
-                         Element_kind::FACE, std::move(other));
+                            "faces that do not have three different vertices",
+                            Element_kind::FACE, std::move(other));
     if(m_faces.empty())
       return Indexed_status(Status_code::EMPTY_MESH, "the mesh has no face");
     return Indexed_status();
   }
 
   Indexed_status read_opposites(const std::vector<Triangle>& triangles,
-                             std::vector<int>& opposites) const
+                                std::vector<int>& opposites) const
   {
     auto index = get(CGAL::dynamic_halfedge_property_t<int>(), m_tmesh);
     for(std::size_t h = 0; h < m_halfedges.size(); ++h)
@@ -262,8 +262,8 @@ private:
     }
     if(!misfits.empty())
       return Indexed_status(Status_code::NON_MANIFOLD,
-                         "faces whose neighbors do not refer back to them",
-                         Element_kind::FACE, std::move(misfits));
+                            "faces whose neighbors do not refer back to them",
+                            Element_kind::FACE, std::move(misfits));
     return Indexed_status();
   }
 

@@ -61,7 +61,7 @@ std::vector<double> read_weights(const Mesh_adapter<TriangleMesh, VertexPointMap
 // `edge_is_forbidden_map`.
 template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
 Indexed_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
-                                  const NamedParameters& np, Edge_constraints& constraints)
+                                     const NamedParameters& np, Edge_constraints& constraints)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -86,22 +86,22 @@ Indexed_status read_edge_constraints(const Mesh_adapter<TriangleMesh, VertexPoin
   }
   if(!invalid.empty())
     return Indexed_status(Status_code::WRONG_PARAMETER,
-                       "edge_weight_map: weights that are negative or not a number",
-                       Element_kind::EDGE, std::move(invalid));
+                          "edge_weight_map: weights that are negative or not a number",
+                          Element_kind::EDGE, std::move(invalid));
   double sum = 0;
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(!constraints.is_forbidden(e))
       sum += constraints.weights[e];
   if(!std::isfinite(4 * sum)) // no path and no bound is heavier
     return Indexed_status(Status_code::WRONG_PARAMETER,
-                       "edge_weight_map: the sum of the weights is infinite");
+                          "edge_weight_map: the sum of the weights is infinite");
   return Indexed_status();
 }
 
 // Reads `vertex_is_constrained_map` and `initial_cut_map` besides the parameters about edges.
 template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
 Indexed_status read_constraints(const Mesh_adapter<TriangleMesh, VertexPointMap>& adapter,
-                             const NamedParameters& np, Cutting_constraints& constraints)
+                                const NamedParameters& np, Cutting_constraints& constraints)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

@@ -132,8 +132,8 @@ inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, c
       enclosed.push_back(v);
   if(!enclosed.empty())
     return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                       "vertices reachable only through forbidden edges",
-                       Element_kind::VERTEX, std::move(enclosed));
+                          "vertices reachable only through forbidden edges",
+                          Element_kind::VERTEX, std::move(enclosed));
   for(int island : choices)
   {
     Edge_constraints restricted = islands.restriction_to(island);
@@ -147,8 +147,8 @@ inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, c
   if(!status)
     return status;
   return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
-                     "forbidden edges leave no path of two edges to cut",
-                     Element_kind::EDGE, std::move(forbidden));
+                        "forbidden edges leave no path of two edges to cut",
+                        Element_kind::EDGE, std::move(forbidden));
 }
 
 // The vertices of a component that are terminals of the whole (in increasing order), but those that its

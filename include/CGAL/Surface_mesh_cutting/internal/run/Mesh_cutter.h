@@ -101,7 +101,7 @@ private:
         isolated.push_back(v);
     if(!isolated.empty())
       return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
-                         Element_kind::VERTEX, std::move(isolated));
+                            Element_kind::VERTEX, std::move(isolated));
     return check_no_edge_is_mandatory_and_forbidden(m_mesh, m_constraints.edges);
   }
 
@@ -193,7 +193,7 @@ private:
     result.is_optimal = result.is_optimal && part.is_optimal;
     if(m_context.parameters.needs_optimal_tree && !part.is_optimal)
       result.status = Indexed_status(Status_code::BOUND_NOT_REACHED,
-                                  "the cut is not proven shortest within the budget");
+                                     "the cut is not proven shortest within the budget");
     if(output == Output_kind::MAP)
       add_map(component, std::move(part), result);
     return true;

@@ -73,7 +73,7 @@ private:
 // The component that consists of `faces`. The last two arrays are work space with an entry for each
 // vertex and halfedge of the whole; their contents do not matter.
 inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<int> faces,
-                                     std::vector<int>& new_vertex, std::vector<int>& new_halfedge)
+                                        std::vector<int>& new_vertex, std::vector<int>& new_halfedge)
 {
   Indexed_component component;
   for(int f : faces)

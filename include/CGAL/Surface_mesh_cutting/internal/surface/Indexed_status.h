@@ -44,7 +44,7 @@ struct Indexed_status
 
   Indexed_status() = default;
   Indexed_status(Status_code code, std::string message,
-              Element_kind kind = Element_kind::NONE, std::vector<int> indices = {})
+                 Element_kind kind = Element_kind::NONE, std::vector<int> indices = {})
     : finding{code, std::move(message), kind, std::move(indices)}
   {}
 
