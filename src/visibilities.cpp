@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-template std::optional<std::vector<double> > visibilities<Sequential_tag>(const Indexed_mesh&, int, unsigned int, Run_control&);
+template std::optional<std::vector<double> > visibilities<Sequential_tag>(const Indexed_mesh&, const View&, Run_control&);
 #ifdef CGAL_LINKED_WITH_TBB
-template std::optional<std::vector<double> > visibilities<Parallel_tag>(const Indexed_mesh&, int, unsigned int, Run_control&);
+template std::optional<std::vector<double> > visibilities<Parallel_tag>(const Indexed_mesh&, const View&, Run_control&);
 #endif
 
 } // namespace internal

@@ -16,12 +16,29 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/surface/dihedral_angles.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/flatness.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
+
+namespace internal {
+
+inline std::vector<double> crease_factors(const Indexed_mesh& mesh, double smallest_factor,
+                                          double smallest_convex_factor)
+{
+  std::vector<double> factors = flatness(mesh);
+  const std::vector<double> angles = dihedral_angles(mesh);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    factors[e] = interpolated_factor(angles[e] > 0 ? smallest_convex_factor : smallest_factor, factors[e]);
+  return factors;
+}
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
@@ -46,27 +63,36 @@ namespace Surface_mesh_cutting {
 ///        listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-///                    `%Point_3` as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNBegin{smallest_convex_factor}
+///     \cgalParamDescription{the same as `smallest_factor` for edges at which the surface is convex. If it is
+///                           greater, cuts prefer concave creases, where a seam is less exposed.}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`smallest_factor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \copydetails PkgSurfaceMeshCuttingWeightParameters
 ///
 /// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for an unsupported mesh,
 ///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
 ///         or `Status_code::INVALID_POINT`. Writes the weights only with `Status_code::OK`.
 ///
+/// \sa `straightness_weights()`
 /// \sa `visibility_weights()`
+/// \sa `painted_weights()`
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Status<TriangleMesh> crease_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
                                     double smallest_factor = 0.2,
                                     const NamedParameters& np = parameters::default_values())
 {
-  return internal::put_weights(tmesh, edge_weight_map, smallest_factor, np, internal::flatness);
+  const double smallest_convex_factor = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::smallest_convex_factor), smallest_factor);
+  return internal::put_weights(tmesh, edge_weight_map, np, [&](const auto& adapter, std::vector<double>& factors)
+  {
+    factors = internal::crease_factors(adapter.mesh(), smallest_factor, smallest_convex_factor);
+    const internal::Indexed_status status = internal::check_factor("smallest_factor", smallest_factor);
+    return status ? internal::check_factor("smallest_convex_factor", smallest_convex_factor) : status;
+  });
 }
 
 } // namespace Surface_mesh_cutting

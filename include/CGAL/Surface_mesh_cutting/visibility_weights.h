@@ -20,10 +20,20 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
+#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
+#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
 #include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <optional>
+#include <vector>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/visibilities.h>
@@ -32,14 +42,55 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 
+namespace internal {
+
+inline Eigen::Vector3d read_axis(internal_np::Param_not_found) { return View().axis; }
+
+// One that is no direction becomes NaN, which `check_view()` refuses.
+template <typename Vector_3>
+Eigen::Vector3d read_axis(const Vector_3& up_direction)
+{
+  const Eigen::Vector3d axis = Surface_mesh_parameterization::internal::to_vector_3(up_direction);
+  return axis.stableNormalized().isZero() ? Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()) : axis;
+}
+
+template <typename NamedParameters>
+View read_view(int number_of_rays, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  View view;
+  view.number_of_rays = number_of_rays;
+  view.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), view.random_seed);
+  view.axis = read_axis(get_parameter(np, internal_np::up_direction));
+  view.is_uniform = choose_parameter(get_parameter(np, internal_np::use_uniform_directions), view.is_uniform);
+  view.radius = choose_parameter(get_parameter(np, internal_np::occlusion_radius), view.radius);
+  return view;
+}
+
+inline Indexed_status check_view(const View& view)
+{
+  const char* const message = view.number_of_rays < 1 ? "number_of_rays must be at least 1"
+    : !Surface_mesh_parameterization::internal::is_finite(view.axis) ? "up_direction must be finite and not zero"
+    : !(view.radius > 0) ? "occlusion_radius must be greater than 0" : nullptr;
+  return message == nullptr ? Indexed_status() : Indexed_status(Status_code::WRONG_PARAMETER, message);
+}
+
+} // namespace internal
+
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// computes edge weights that favor hidden edges.
 ///
 /// The weight of an edge is its length times a factor: `smallest_factor` where the surface fills the
 /// whole view from the middle of the edge, 1 where it blocks none of it, and in between linear in the
-/// free part of the view (ambient occlusion). Random rays sample the view, distributed by the cosine
-/// of their angle with the normal, on the side of the surface that its normals point to.
+/// free part of the view. Random rays sample the view, on the side of the surface that its normals point to.
+///
+/// By default, the view is the hemisphere around the normal of the edge, weighted by the cosine of the
+/// angle with it. Two named parameters give other views: `up_direction` the same hemisphere for all edges, like a dome
+/// of sky, of which what lies on the underside sees little; `occlusion_radius` only what is near (ambient occlusion), so
+/// that grooves and folds count, but not that a large part of the surface is opposite.
 ///
 /// With \f$ n \f$ edges and \f$ k \f$ rays, the time is \f$ O(k\,n \log n) \f$ on most surfaces.
 ///
@@ -60,12 +111,24 @@ namespace Surface_mesh_cutting {
 ///        listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with
-///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-///                    `%Point_3` as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNBegin{up_direction}
+///     \cgalParamDescription{the axis of the hemisphere from which all edges are looked at; not zero}
+///     \cgalParamType{a vector type with the members `x()`, `y()` and `z()`, such as `%Vector_3`}
+///     \cgalParamDefault{each edge has its normal as axis}
+///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{use_uniform_directions}
+///     \cgalParamDescription{whether all directions of the hemisphere count alike, and not by the cosine of their angle
+///                           with its axis}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{occlusion_radius}
+///     \cgalParamDescription{the distance, as a fraction of the bounding box diagonal, up to which the surface blocks
+///                           the view; greater than 0}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{infinite}
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{random_seed}
@@ -82,36 +145,42 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \copydetails PkgSurfaceMeshCuttingWeightParameters
 ///
 /// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; `Status_code::STOPPED`; or, for an unsupported mesh,
 ///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
 ///         or `Status_code::INVALID_POINT`. Writes the weights only with `Status_code::OK`.
 ///
 /// \sa `crease_weights()`
+/// \sa `straightness_weights()`
+/// \sa `painted_weights()`
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
                                         int number_of_rays = 64, double smallest_factor = 0.2,
                                         const NamedParameters& np = parameters::default_values())
 {
-  if(number_of_rays < 1)
-  {
-    Status<TriangleMesh> status;
-    status.code = Status_code::WRONG_PARAMETER;
-    status.message = "number_of_rays must be at least 1";
-    return status;
-  }
-  const unsigned int seed = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::random_seed), 0u);
+  const internal::View view = internal::read_view(number_of_rays, np);
   Default_visitor default_visitor;
   internal::Visitor_reference<NamedParameters>
     visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
                                            default_visitor);
   internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});
-  return internal::put_weights(
-    tmesh, edge_weight_map, smallest_factor, np,
-    [&](const internal::Indexed_mesh& mesh)
-    { return internal::visibilities<ConcurrencyTag>(mesh, number_of_rays, seed, control); });
+  return internal::put_weights(tmesh, edge_weight_map, np, [&](const auto& adapter, std::vector<double>& factors)
+  {
+    internal::Indexed_status status = internal::check_factor("smallest_factor", smallest_factor);
+    if(status)
+      status = internal::check_view(view);
+    if(!status)
+      return status;
+    const std::optional<std::vector<double> >
+      values = internal::visibilities<ConcurrencyTag>(adapter.mesh(), view, control);
+    if(!values)
+      return internal::stopped_status();
+    for(const double value : *values)
+      factors.push_back(internal::interpolated_factor(smallest_factor, value));
+    return status;
+  });
 }
 
 } // namespace Surface_mesh_cutting

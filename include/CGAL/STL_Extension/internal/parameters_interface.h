@@ -39,6 +39,10 @@ CGAL_add_named_parameter(effort_t, effort, effort)
 CGAL_add_named_parameter(use_published_method_t, use_published_method, use_published_method)
 CGAL_add_named_parameter(maximum_number_of_states_t, maximum_number_of_states, maximum_number_of_states)
 CGAL_add_named_parameter(conformal_solver_t, conformal_solver, conformal_solver)
+CGAL_add_named_parameter(smallest_convex_factor_t, smallest_convex_factor, smallest_convex_factor)
+CGAL_add_named_parameter(up_direction_t, up_direction, up_direction)
+CGAL_add_named_parameter(use_uniform_directions_t, use_uniform_directions, use_uniform_directions)
+CGAL_add_named_parameter(occlusion_radius_t, occlusion_radius, occlusion_radius)
 
 // Names that CGAL itself has only since a later version
 #if CGAL_VERSION_NR < 1060100000

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 
@@ -59,8 +60,7 @@ Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<
 
 // The visibility of each edge, unless `control` ends the run. O(n k log n) for k rays on most surfaces.
 template <typename ConcurrencyTag>
-std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, int number_of_rays, unsigned int random_seed,
-                                                 Run_control& control);
+std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Run_control& control);
 
 } // namespace internal
 } // namespace Surface_mesh_cutting

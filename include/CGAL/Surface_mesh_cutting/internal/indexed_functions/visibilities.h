@@ -26,13 +26,12 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 template <typename ConcurrencyTag>
-std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, int number_of_rays, unsigned int random_seed,
-                                                 Run_control& control)
+std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Run_control& control)
 {
   constexpr int edges_per_question = 16; // well below a millisecond for each thread
   if(!control.go_further())
     return std::nullopt;
-  const Visibility visibility(mesh, number_of_rays, random_seed);
+  const Visibility visibility(mesh, view);
   std::vector<double> result(mesh.number_of_edges());
   CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(mesh.number_of_edges(), [&](int e) {
     if(e % edges_per_question == 0)

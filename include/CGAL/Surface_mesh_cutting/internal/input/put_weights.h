@@ -19,21 +19,55 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
-#include <optional>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Gives each edge its length times a factor: the smallest one where `property(mesh)` has 0 for the
-// edge, 1 where it has 1, and linear in between.
-// `property(mesh)` is a number for each edge, or nothing if the run was ended.
-template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameters,
-          typename Property>
-Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
-                                 double smallest_factor, const NamedParameters& np,
-                                 Property property)
+// From the smallest factor, where `value` is 0, to 1, where it is 1.
+inline double interpolated_factor(double smallest_factor, double value)
+{
+  return smallest_factor + (1 - smallest_factor) * value;
+}
+
+inline Indexed_status check_factor(const char* name, double factor)
+{
+  if(factor >= 0 && factor <= 1)
+    return Indexed_status();
+  return Indexed_status(Status_code::WRONG_PARAMETER, std::string(name) + " must be between 0 and 1");
+}
+
+// What is never cut stays so, and what may be cut too, even if the product is too large for a number.
+inline double weight_times_factor(double weight, double factor)
+{
+  if(std::isinf(weight))
+    return weight;
+  return (std::min)(weight * factor, (std::numeric_limits<double>::max)());
+}
+
+template <typename Adapter>
+double factored_weight(const Adapter& adapter, internal_np::Param_not_found, int e, double factor)
+{
+  return adapter.to_original_scale(adapter.mesh().length(e) * factor);
+}
+
+template <typename Adapter, typename EdgeWeightMap>
+double factored_weight(const Adapter& adapter, EdgeWeightMap given_weights, int e, double factor)
+{
+  return weight_times_factor(CGAL::to_double(get(given_weights, adapter.to_edge(e))), factor);
+}
+
+// Gives each edge its length, or what the named parameter `edge_weight_map` has for it, times a factor.
+// `find_factors(adapter, factors)` computes one for each edge, unless it returns that it failed; those of
+// border edges are not used. The two maps of weights may be the same.
+template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameters, typename FindFactors>
+Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map, const NamedParameters& np,
+                                 FindFactors find_factors)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -43,21 +77,14 @@ Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_w
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)));
   Indexed_status status = adapter.status();
-  if(status && !(smallest_factor >= 0 && smallest_factor <= 1))
-    status = Indexed_status(Status_code::WRONG_PARAMETER, "smallest_factor must be between 0 and 1");
+  std::vector<double> factors;
   if(status)
-  {
-    const Indexed_mesh& mesh = adapter.mesh();
-    const std::optional<std::vector<double> > values = property(mesh);
-    if(!values)
-      status.finding = stopped_status().finding;
-    for(int e = 0; e < mesh.number_of_edges() && values; ++e)
-    {
-      const double factor
-        = mesh.is_border_edge(e) ? 1 : smallest_factor + (1 - smallest_factor) * (*values)[e];
-      put(edge_weight_map, adapter.to_edge(e), adapter.to_original_scale(mesh.length(e) * factor));
-    }
-  }
+    status.finding = find_factors(adapter, factors).finding;
+  if(status)
+    for(int e = 0; e < adapter.mesh().number_of_edges(); ++e)
+      put(edge_weight_map, adapter.to_edge(e),
+          factored_weight(adapter, get_parameter(np, internal_np::edge_weight), e,
+                          adapter.mesh().is_border_edge(e) ? 1 : factors[e]));
   return adapter.translate(status);
 }
 

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/flatness.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 
 #include <CGAL/AABB_tree.h>
 #if CGAL_VERSION_NR < 1060000000
@@ -39,7 +41,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Ambient occlusion: which part of the light from all sides reaches the middle of an edge.
+// Which part of the light from a hemisphere reaches the middle of an edge.
 class Visibility
 {
   using Kernel = Simple_cartesian<double>;
@@ -53,10 +55,10 @@ class Visibility
 #endif
 
 public:
-  // O(n log n). The same directions, relative to the normal, serve all edges.
-  Visibility(const Indexed_mesh& mesh, int number_of_rays, unsigned int random_seed)
-    : m_mesh(mesh), m_directions(random_directions(number_of_rays, random_seed)),
-      m_triangles(proper_triangles(mesh)), m_tree(m_triangles.begin(), m_triangles.end())
+  // O(n log n). The same directions, relative to the axis of the view, serve all edges.
+  Visibility(const Indexed_mesh& mesh, const View& view)
+    : m_mesh(mesh), m_axis(view.axis.stableNormalized()), m_radius(view.radius * bounding_box_diagonal(mesh)),
+      m_directions(random_directions(view)), m_triangles(proper_triangles(mesh)), m_tree(m_triangles.begin(), m_triangles.end())
   {
     m_tree.build();
   }
@@ -74,24 +76,27 @@ public:
       return 1;
     const Point& source = m_mesh.point(m_mesh.source(h));
     const Eigen::Vector3d edge = m_mesh.point(m_mesh.target(h)) - source;
-    const Eigen::Vector3d first = normal.unitOrthogonal(), second = normal.cross(first);
+    const Eigen::Vector3d& axis = m_axis.isZero() ? normal : m_axis;
+    const Eigen::Vector3d first = axis.unitOrthogonal(), second = axis.cross(first);
     // Off the surface, lest its own faces are in the way.
     const Point origin = source + 0.5 * edge + 1e-3 * edge.norm() * normal;
     int number_of_free_rays = 0;
     for(const Eigen::Vector3d& d : m_directions)
-      number_of_free_rays += is_free(origin, d.x() * first + d.y() * second + d.z() * normal);
+      number_of_free_rays += is_free(origin, d.x() * first + d.y() * second + d.z() * axis);
     return number_of_free_rays / double(m_directions.size());
   }
 
 private:
-  // Distributed by the cosine of the angle with the third axis.
-  static std::vector<Eigen::Vector3d> random_directions(int number, unsigned int seed)
+  // Around the third axis.
+  static std::vector<Eigen::Vector3d> random_directions(const View& view)
   {
-    Random random(seed);
+    Random random(view.random_seed);
     std::vector<Eigen::Vector3d> directions;
-    for(int i = 0; i < number; ++i)
+    for(int i = 0; i < view.number_of_rays; ++i)
     {
-      const double square = random.get_double(), angle = random.get_double(0, 2 * CGAL_PI);
+      // of the distance from the axis, which `x` from 0 to 1 gives the density that is asked for
+      const double x = random.get_double(), square = view.is_uniform ? x * (2 - x) : x;
+      const double angle = random.get_double(0, 2 * CGAL_PI);
       directions.emplace_back(std::sqrt(square) * std::cos(angle),
                               std::sqrt(square) * std::sin(angle), std::sqrt(1 - square));
     }
@@ -116,11 +121,15 @@ private:
 
   bool is_free(const Point& origin, const Eigen::Vector3d& direction) const
   {
+    if(std::isfinite(m_radius))
+      return !m_tree.do_intersect(Kernel::Segment_3(point(origin), point(origin + m_radius * direction)));
     return !m_tree.do_intersect(Kernel::Ray_3(
       point(origin), Kernel::Direction_3(direction.x(), direction.y(), direction.z())));
   }
 
   const Indexed_mesh& m_mesh;
+  const Eigen::Vector3d m_axis; // zero for the normals of the edges
+  const double m_radius;
   const std::vector<Eigen::Vector3d> m_directions;
   const Triangles m_triangles;
   Tree m_tree;

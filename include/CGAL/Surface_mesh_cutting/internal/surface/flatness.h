@@ -36,13 +36,19 @@ inline Eigen::Vector3d unit_normal(const Indexed_mesh& mesh, int f)
   return Surface_mesh_parameterization::internal::cross_product(u, v).stableNormalized();
 }
 
-// For each edge the cosine of the angle between the normals of its faces, 0 if that is more than a
-// right angle; 1 where there is only one normal.
-inline std::vector<double> flatness(const Indexed_mesh& mesh)
+inline std::vector<Eigen::Vector3d> unit_normals(const Indexed_mesh& mesh)
 {
   std::vector<Eigen::Vector3d> normals;
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     normals.push_back(unit_normal(mesh, f));
+  return normals;
+}
+
+// For each edge the cosine of the angle between the normals of its faces, 0 if that is more than a
+// right angle; 1 where there is only one normal.
+inline std::vector<double> flatness(const Indexed_mesh& mesh)
+{
+  const std::vector<Eigen::Vector3d> normals = unit_normals(mesh);
   std::vector<double> result(mesh.number_of_edges(), 1.);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
   {
