@@ -47,10 +47,8 @@ std::vector<Named_output> find_places(const Options& options, Output_places& pla
 
 std::vector<std::string> inputs_of(const Options& options)
 {
-  std::vector<std::string> inputs
-    = {options.input, options.must_cut, options.never_cut, options.initial_cut, options.terminals};
-  if(has_file_of_weights(options))
-    inputs.push_back(options.edge_weights);
+  std::vector<std::string> inputs = constraint_files(options);
+  inputs.push_back(options.input);
   return inputs;
 }
 

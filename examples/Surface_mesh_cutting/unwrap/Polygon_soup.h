@@ -5,15 +5,21 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 struct Polygon_soup
 {
   using Point = std::array<double, 3>;
+  using Texture_point = std::array<double, 2>;
 
   std::vector<Point> points;
   std::vector<int> corners; // point indices of all polygons, one polygon after the other
   std::vector<std::size_t> polygon_ends; // per polygon, where its corners end
+
+  // What was asked for besides; empty if the file does not have it.
+  std::vector<double> reds; // per point, the red channel of its color, from 0 to 1
+  std::vector<std::optional<Texture_point> > corner_uvs; // per corner
 
   // Makes a polygon of the corners added since the last call.
   void close_polygon() { polygon_ends.push_back(corners.size()); }

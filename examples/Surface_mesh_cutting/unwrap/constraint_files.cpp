@@ -43,6 +43,23 @@ std::vector<int> read_line(Text_scanner& scanner)
   return indices;
 }
 
+// Not negative, and infinite only if it says so.
+double to_weight(const Text_scanner& scanner, std::string_view word)
+{
+  const double weight = scanner.to_number(word);
+  if(std::isinf(weight) && std::isdigit(static_cast<unsigned char>(word.back())))
+    scanner.fail("a weight below 1e308", word);
+  if(!(weight >= 0))
+    scanner.fail("a weight that is not negative", word);
+  return weight;
+}
+
+void expect_end_of_line(Text_scanner& scanner)
+{
+  if(const std::string_view more = scanner.word_in_line(); !more.empty())
+    scanner.fail("the end of the line", more);
+}
+
 } // namespace
 
 Selection read_selection(const std::string& path)
@@ -72,16 +89,33 @@ std::vector<Edge_weight> read_edge_weights(const std::string& path)
     for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
     {
       const int source = scanner.to_index(word), target = scanner.index_in_line();
-      const std::string_view number = scanner.word_in_line();
-      const double weight = scanner.to_number(number);
-      if(std::isinf(weight) && std::isdigit(static_cast<unsigned char>(number.back())))
-        scanner.fail("a weight below 1e308", number);
-      if(!(weight >= 0))
-        scanner.fail("a weight that is not negative", number);
-      if(const std::string_view more = scanner.word_in_line(); !more.empty())
-        scanner.fail("the end of the line", more);
+      const double weight = to_weight(scanner, scanner.word_in_line());
+      expect_end_of_line(scanner);
       weights.push_back({{source, target}, weight});
     }
     return weights;
+  });
+}
+
+Vertex_values read_vertex_values(const std::string& path)
+{
+  return read_file(path, [](Text_scanner& scanner)
+  {
+    Vertex_values result;
+    for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
+    {
+      const std::string_view second = scanner.word_in_line();
+      if(result.values.empty())
+        result.is_for_all = second.empty();
+      else if(result.is_for_all != second.empty())
+        scanner.fail(result.is_for_all ? "the end of the line" : "a number behind the vertex", second);
+      const std::string_view number = result.is_for_all ? word : second;
+      const double value = to_weight(scanner, number);
+      if(std::isinf(value))
+        scanner.fail("a number that is finite", number);
+      result.values.push_back({result.is_for_all ? int(result.values.size()) : scanner.to_index(word), value});
+      expect_end_of_line(scanner);
+    }
+    return result;
   });
 }

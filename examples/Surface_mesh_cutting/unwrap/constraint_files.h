@@ -25,9 +25,23 @@ struct Edge_weight
   double weight; // not negative, may be infinite
 };
 
-// Both throw a `Failure` with `Exit_code::UNREADABLE` that names the file and the line.
+struct Vertex_value
+{
+  int vertex;
+  double value; // finite and not negative
+};
+
+struct Vertex_values
+{
+  bool is_for_all = false; // whether the lines have no vertices, and there must be one for each
+  std::vector<Vertex_value> values;
+};
+
+// All throw a `Failure` with `Exit_code::UNREADABLE` that names the file and the line.
 Selection read_selection(const std::string& path);
 // A line for each edge: its two vertices and its weight.
 std::vector<Edge_weight> read_edge_weights(const std::string& path);
+// Either a number in each line, for the vertices in their order, or a vertex and a number in each line.
+Vertex_values read_vertex_values(const std::string& path);
 
 #endif // UNWRAP_CONSTRAINT_FILES_H

@@ -12,7 +12,9 @@
 
 namespace {
 
-using Reader = Polygon_soup (*)(std::string_view);
+using Reader = Polygon_soup (*)(std::string_view, Attributes);
+
+Polygon_soup read_stl_without_attributes(std::string_view bytes, Attributes) { return read_stl(bytes); }
 
 Reader find_reader_by_extension(const std::string& path)
 {
@@ -22,13 +24,15 @@ Reader find_reader_by_extension(const std::string& path)
   return extension == ".off" ? read_off
        : extension == ".obj" ? read_obj
        : extension == ".ply" ? read_ply
-       : extension == ".stl" ? read_stl : nullptr;
+       : extension == ".stl" ? read_stl_without_attributes : nullptr;
 }
 
 Reader find_reader_by_content(std::string_view bytes)
 {
   const std::string_view word = Text_scanner(without_byte_order_mark(bytes)).word();
-  return word == "OFF" ? read_off : word == "ply" ? read_ply : starts_text_stl(bytes) ? read_stl : nullptr;
+  return word == "OFF" ? read_off
+       : word == "ply" ? read_ply
+       : starts_text_stl(bytes) ? read_stl_without_attributes : nullptr;
 }
 
 } // namespace
@@ -45,14 +49,14 @@ void check_indices(const Polygon_soup& soup)
                       {Witness::Kind::FACES, {polygon}});
 }
 
-Polygon_soup read_mesh_file(const std::string& path)
+Polygon_soup read_mesh_file(const std::string& path, Attributes attributes)
 {
   const std::string bytes = read_bytes(path);
   Reader read = find_reader_by_extension(path);
   if(read == nullptr)
     read = find_reader_by_content(bytes);
 
-  const Polygon_soup soup = read != nullptr ? read(bytes) : read_with_cgal(path);
+  const Polygon_soup soup = read != nullptr ? read(bytes, attributes) : read_with_cgal(path);
   if(soup.corners.size() > std::size_t(INT_MAX) || soup.points.size() > std::size_t(INT_MAX))
     throw Failure(Exit_code::UNREADABLE, "the mesh is too large");
   check_indices(soup);

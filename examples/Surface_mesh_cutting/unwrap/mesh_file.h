@@ -13,18 +13,24 @@
 #include <string>
 #include <string_view>
 
+// What to read besides points and polygons, from OFF (colors), OBJ and PLY (both).
+struct Attributes
+{
+  bool has_colors = false, has_uvs = false;
+};
+
 // Reads OFF, OBJ, PLY, STL, and what else CGAL reads. Points and polygons keep number and order;
 // only for STL, which has no indices, exactly equal points become one.
 // Throws a `Failure` with `Exit_code::UNREADABLE`.
-Polygon_soup read_mesh_file(const std::string& path);
+Polygon_soup read_mesh_file(const std::string& path, Attributes attributes = {});
 
 // Fails in the same way unless all indices are in range.
 void check_indices(const Polygon_soup& soup);
 
 // Readers of one format, given the bytes of the file. Indices may be out of range.
-Polygon_soup read_off(std::string_view text);
-Polygon_soup read_obj(std::string_view text);
-Polygon_soup read_ply(std::string_view bytes);
+Polygon_soup read_off(std::string_view text, Attributes attributes = {});
+Polygon_soup read_obj(std::string_view text, Attributes attributes = {});
+Polygon_soup read_ply(std::string_view bytes, Attributes attributes = {});
 Polygon_soup read_stl(std::string_view bytes);
 
 // Whether the first word is the one with which an STL file of text starts.

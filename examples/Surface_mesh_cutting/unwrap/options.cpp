@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <filesystem>
@@ -29,8 +30,24 @@ Output: texture coordinates are at the scale of the surface. Corners share one u
 lies between them. Either all files appear, when the run is complete, or none.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
-of vertices, all counted from 0. A file of weights has one line per edge: its two vertices and its
-weight, at least 0, or inf for an edge never to cut; the other edges weigh their length.
+of vertices, all counted from 0. For --must-cut and --initial-cut, SEL can also be uv: the seams of the
+texture coordinates in INPUT (OBJ with vt; PLY with a list texcoord of the faces), that is the edges at
+which those of the two faces differ.
+
+Weights: what a cut costs, by default its length, times the factors of all --edge-weights given:
+  crease, concave      from 0.2 at sharp edges to 1 where it is flat; concave: only 0.6 at convex edges
+  straight             0.2 along and across the direction in which the surface bends most, up to 1
+                       between them and where it bends alike in all directions
+  visibility           0.2 where the surface hides the edge from all sides, up to 1
+  occlusion            the same with only what is within a tenth of the bounding box diagonal
+  sky, sky:AXIS        the same seen from above only; AXIS is x, y (default), z, -x, -y or -z
+  colors               0.2 where the red channel of the vertex colors of INPUT is 0, up to 1 where it is
+                       full (COFF; OBJ with red, green and blue behind the coordinates; PLY with red)
+  paint:FILE           the mean of the numbers at both ends; FILE has one number, at least 0, per line
+                       for each vertex, or lines with a vertex and its number; other vertices have 1
+  FILE                 weights instead of factors: one line per edge, with its two vertices and its
+                       weight, at least 0, or inf for an edge never to cut; other edges keep theirs
+A file whose name is one of these words can be given as ./NAME.
 
 Exit status:
   0  done
@@ -61,6 +78,8 @@ Method:
 Constraints:
   unwrap cow.off --never-cut face.selection.txt --edge-weights visibility
       no cut across the face, and elsewhere where it is hard to see
+  unwrap cow.obj --initial-cut uv --edge-weights concave --edge-weights paint:cost.txt
+      improves the seams that cow.obj has, in folds and where the user painted low costs
 Computation:
   unwrap cow.off --effort best --time-limit 60
       the best result found within a minute
@@ -170,20 +189,34 @@ void add_method_options(CLI::App& app, Options& options)
     ->type_name("X")->default_str("20")->group(group);
 }
 
+Weight_choice parse_weights(const std::string& word)
+{
+  const std::optional<Weight_choice> choice = parse_weight_choice(word);
+  if(!choice)
+    refuse("--edge-weights: '" + word + "' is not sky:AXIS, with AXIS one of x, y, z, -x, -y and -z, or paint:FILE");
+  return *choice;
+}
+
 void add_constraint_options(CLI::App& app, Options& options)
 {
   const std::string group = "Constraints";
   app.add_option("--must-cut", options.must_cut, "Edges to cut in any case; they may separate the mesh")
-    ->type_name("SEL")->group(group);
+    ->type_name("SEL|uv")->group(group);
   app.add_option("--never-cut", options.never_cut, "Edges never to cut")->type_name("SEL")->group(group);
   app.add_option("--initial-cut", options.initial_cut,
                  "Cut to start from, such as seams drawn by hand; it is connected,\nextended and shortened, and may lose edges")
-    ->type_name("SEL")->group(group);
+    ->type_name("SEL|uv")->group(group);
   app.add_option("--terminals", options.terminals, "Vertices the cut must pass through")
     ->type_name("SEL")->group(group);
-  app.add_option("--edge-weights", options.edge_weights,
-                 "Cost of cutting an edge, instead of its length: low at\ncreases, low where hidden, or from a file")
-    ->type_name("crease|visibility|FILE")->group(group);
+  app.add_option_function<std::vector<std::string> >(
+       "--edge-weights", [&options](const std::vector<std::string>& words)
+       {
+         for(const std::string& word : words)
+           options.edge_weights.push_back(parse_weights(word));
+       },
+       "Cost of cutting an edge, instead of its length: low at\ncreases, low where hidden, painted or from a file (see\n"
+       "below). Can be given several times: the factors multiply")
+    ->type_name("WEIGHTS")->allow_extra_args(false)->group(group);
 }
 
 void add_run_options(CLI::App& app, Options& options)
@@ -260,9 +293,23 @@ void complete(Options& options)
 
 } // namespace
 
-bool has_file_of_weights(const Options& options)
+Attributes wanted_attributes(const Options& options)
 {
-  return !options.edge_weights.empty() && options.edge_weights != "crease" && options.edge_weights != "visibility";
+  const auto is_colors = [](const Weight_choice& choice) { return choice.kind == Weight_choice::Kind::COLORS; };
+  return {std::any_of(options.edge_weights.begin(), options.edge_weights.end(), is_colors),
+          options.must_cut == seams_of_input || options.initial_cut == seams_of_input};
+}
+
+std::vector<std::string> constraint_files(const Options& options)
+{
+  std::vector<std::string> files = {options.never_cut, options.terminals};
+  for(const std::string& selection : {options.must_cut, options.initial_cut})
+    if(selection != seams_of_input)
+      files.push_back(selection);
+  for(const Weight_choice& choice : options.edge_weights)
+    files.push_back(choice.file);
+  files.erase(std::remove(files.begin(), files.end(), ""), files.end());
+  return files;
 }
 
 Command_line parse_command_line(int argc, char** argv)

@@ -3,9 +3,13 @@
 #ifndef UNWRAP_OPTIONS_H
 #define UNWRAP_OPTIONS_H
 
+#include "mesh_file.h"
+#include "weight_choice.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 struct Options
 {
@@ -21,8 +25,9 @@ struct Options
   std::optional<double> maximum_average_distortion;
   std::optional<double> eps_iso, eps_len, alpha, beta;
 
-  // Files; an empty name stands for none. `edge_weights` may also be crease or visibility.
-  std::string must_cut, never_cut, initial_cut, terminals, edge_weights;
+  // Files; an empty name stands for none. The first two may also be `seams_of_input`.
+  std::string must_cut, initial_cut, never_cut, terminals;
+  std::vector<Weight_choice> edge_weights; // their factors multiply
 
   std::uint32_t seed = 0;
   int threads = 1;
@@ -30,8 +35,14 @@ struct Options
   std::optional<double> time_limit; // in seconds
 };
 
-// Whether `edge_weights` names a file.
-bool has_file_of_weights(const Options& options);
+// Stands for the seams of the texture coordinates of the input. A file of this name is ./uv.
+inline const std::string seams_of_input = "uv";
+
+// What the options need besides points and polygons.
+Attributes wanted_attributes(const Options& options);
+
+// The files of constraints and weights.
+std::vector<std::string> constraint_files(const Options& options);
 
 // What the command line asks for.
 struct Command_line

@@ -1,6 +1,7 @@
 #include "Text_scanner.h"
 #include "mesh_file.h"
 #include "outcome.h"
+#include "text_colors.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,17 +9,22 @@
 
 namespace {
 
+// What a line has behind the coordinates of a point.
+struct Point_line
+{
+  bool has_normal = false, has_color = false;
+};
+
 // Reads the word OFF with its prefixes. Files that start with the counts have been seen, too.
-void read_header(Text_scanner& scanner)
+Point_line read_header(Text_scanner& scanner)
 {
   const Text_scanner start = scanner;
   const std::string_view word = scanner.word();
   if(!word.empty() && std::isdigit(static_cast<unsigned char>(word.front())) && word != "4OFF")
   {
     scanner = start;
-    return;
+    return {};
   }
-  // Texture coordinates, colors and normals stand behind the coordinates and are not needed.
   if(word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF" && word != "STOFF"
      && word != "STCOFF" && word != "STNOFF" && word != "STCNOFF")
     scanner.fail("OFF", word);
@@ -26,9 +32,18 @@ void read_header(Text_scanner& scanner)
   if(scanner.word_in_line() == "BINARY")
     throw Failure(Exit_code::UNREADABLE, "binary OFF is not supported, use binary PLY");
   scanner = behind;
+  return {word.find('N') != std::string_view::npos, word.find('C') != std::string_view::npos};
 }
 
-void read_points(Text_scanner& scanner, int number, bool has_own_line, Polygon_soup& soup)
+void read_color(Text_scanner& scanner, Point_line line, Polygon_soup& soup)
+{
+  for(int i = 0; i < 3 && line.has_normal; ++i)
+    scanner.word_in_line();
+  read_red(scanner, soup);
+}
+
+// Without a line for each point, there is nothing but coordinates.
+void read_points(Text_scanner& scanner, int number, const std::optional<Point_line>& line, Polygon_soup& soup)
 {
   for(int i = 0; i < number; ++i)
   {
@@ -36,15 +51,18 @@ void read_points(Text_scanner& scanner, int number, bool has_own_line, Polygon_s
     const double y = scanner.number_in_line();
     const double z = scanner.number_in_line();
     soup.points.push_back({{x, y, z}});
-    if(has_own_line)
-      scanner.skip_line(); // with what stands behind
+    if(!line)
+      continue;
+    if(line->has_color)
+      read_color(scanner, *line, soup);
+    scanner.skip_line(); // with what stands behind
   }
-  if(!has_own_line)
+  if(!line)
     if(const std::string_view word = scanner.word_in_line(); !word.empty())
       scanner.fail("the end of the line", word);
 }
 
-Polygon_soup read_elements(Text_scanner& scanner, bool has_point_own_line)
+Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line>& line)
 {
   const int number_of_points = scanner.index();
   const int number_of_polygons = scanner.index();
@@ -56,7 +74,7 @@ Polygon_soup read_elements(Text_scanner& scanner, bool has_point_own_line)
   soup.points.reserve((std::min)(std::size_t(number_of_points), maximum));
   soup.polygon_ends.reserve((std::min)(std::size_t(number_of_polygons), maximum));
 
-  read_points(scanner, number_of_points, has_point_own_line, soup);
+  read_points(scanner, number_of_points, line, soup);
   for(int i = 0; i < number_of_polygons; ++i)
   {
     const int size = scanner.index();
@@ -65,6 +83,7 @@ Polygon_soup read_elements(Text_scanner& scanner, bool has_point_own_line)
     soup.close_polygon();
     scanner.skip_line();
   }
+  complete_reds(soup);
   return soup;
 }
 
@@ -72,7 +91,7 @@ std::optional<Polygon_soup> try_several_points_in_a_line(Text_scanner& scanner)
 {
   try
   {
-    const Polygon_soup soup = read_elements(scanner, false);
+    const Polygon_soup soup = read_elements(scanner, std::nullopt);
     return scanner.word().empty() ? std::make_optional(soup) : std::nullopt;
   }
   catch(const Failure& failure)
@@ -87,14 +106,15 @@ std::optional<Polygon_soup> try_several_points_in_a_line(Text_scanner& scanner)
 
 // Usually, each point has a line of its own, and what follows its coordinates is passed over. Some
 // files have several in a line: that is tried where the other reading fails, and must account for all.
-Polygon_soup read_off(std::string_view text)
+Polygon_soup read_off(std::string_view text, Attributes attributes)
 {
   Text_scanner scanner(without_byte_order_mark(text));
-  read_header(scanner);
+  Point_line line = read_header(scanner);
+  line.has_color = line.has_color && attributes.has_colors;
   const Text_scanner behind_header = scanner;
   try
   {
-    return read_elements(scanner, true);
+    return read_elements(scanner, line);
   }
   catch(const Failure& failure)
   {

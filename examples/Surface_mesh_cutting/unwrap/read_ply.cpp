@@ -178,9 +178,24 @@ void skip(const Property& property, Values& values)
     values.next(property.type);
 }
 
-void read_points(const Element& element, Values& values, Polygon_soup& soup)
+// Colors are fractions of the largest value of their type, or of 1.
+double largest_color(Type type)
+{
+  return type == Type::FLOAT32 || type == Type::FLOAT64 ? 1 : type == Type::UINT16 ? 65535 : 255;
+}
+
+void add_red(double red, Polygon_soup& soup)
+{
+  if(!(red >= 0 && red <= 1))
+    throw Failure(Exit_code::UNREADABLE, "the color of vertex " + std::to_string(soup.reds.size()) + " is out of range",
+                  {Witness::Kind::VERTICES, {int(soup.reds.size())}});
+  soup.reds.push_back(red);
+}
+
+void read_points(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup)
 {
   const int x = element.find("x"), y = element.find("y"), z = element.find("z");
+  const int red = attributes.has_colors ? element.find("red", "diffuse_red") : -1;
   for(const int coordinate : {x, y, z})
     if(coordinate < 0 || element.properties[std::size_t(coordinate)].is_list)
       throw Failure(Exit_code::UNREADABLE, "the points have no properties x, y, z");
@@ -194,6 +209,8 @@ void read_points(const Element& element, Values& values, Polygon_soup& soup)
       const Property& property = element.properties[std::size_t(p)];
       if(p == x || p == y || p == z)
         point[p == x ? 0 : p == y ? 1 : 2] = values.next(property.type);
+      else if(p == red && !property.is_list)
+        add_red(values.next(property.type) / largest_color(property.type), soup);
       else
         skip(property, values);
     }
@@ -201,34 +218,68 @@ void read_points(const Element& element, Values& values, Polygon_soup& soup)
   }
 }
 
-void read_polygons(const Element& element, Values& values, Polygon_soup& soup)
+void read_corners(const Property& property, Values& values, Polygon_soup& soup)
+{
+  const int size = values.next_index(property.size_type);
+  for(int k = 0; k < size; ++k)
+    soup.corners.push_back(values.next_index(property.type));
+}
+
+std::vector<double> read_list(const Property& property, Values& values)
+{
+  std::vector<double> numbers;
+  const int size = values.next_index(property.size_type);
+  for(int i = 0; i < size; ++i)
+    numbers.push_back(values.next(property.type));
+  return numbers;
+}
+
+// `texture` holds the two coordinates of each corner, or nothing.
+void add_uvs(const std::vector<double>& texture, int number_of_corners, Polygon_soup& soup)
+{
+  const bool is_finite = std::all_of(texture.begin(), texture.end(), [](double x) { return std::isfinite(x); });
+  if(!is_finite || (!texture.empty() && texture.size() != 2 * std::size_t(number_of_corners)))
+    throw Failure(Exit_code::UNREADABLE, "face " + std::to_string(soup.number_of_polygons())
+                                           + " does not have two finite texture coordinates for each corner",
+                  {Witness::Kind::FACES, {soup.number_of_polygons()}});
+  for(std::size_t k = 0; k < std::size_t(number_of_corners); ++k)
+    soup.corner_uvs.push_back(texture.empty() ? std::nullopt : std::make_optional<Polygon_soup::Texture_point>(
+                                                                 {{texture[2 * k], texture[2 * k + 1]}}));
+}
+
+void read_polygons(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup)
 {
   const int indices = element.find("vertex_indices", "vertex_index");
   if(indices < 0 || !element.properties[std::size_t(indices)].is_list)
     throw Failure(Exit_code::UNREADABLE, "the faces have no list of vertex indices");
+  int uvs = attributes.has_uvs ? element.find("texcoord") : -1;
+  if(uvs >= 0 && !element.properties[std::size_t(uvs)].is_list)
+    uvs = -1;
 
   soup.polygon_ends.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
   for(int i = 0; i < element.number; ++i)
   {
+    std::vector<double> texture;
+    const std::size_t first_corner = soup.corners.size();
     for(int p = 0; p < int(element.properties.size()); ++p)
     {
       const Property& property = element.properties[std::size_t(p)];
-      if(p != indices)
-      {
+      if(p == indices)
+        read_corners(property, values, soup);
+      else if(p == uvs)
+        texture = read_list(property, values);
+      else
         skip(property, values);
-        continue;
-      }
-      const int size = values.next_index(property.size_type);
-      for(int k = 0; k < size; ++k)
-        soup.corners.push_back(values.next_index(property.type));
     }
+    if(uvs >= 0)
+      add_uvs(texture, int(soup.corners.size() - first_corner), soup);
     soup.close_polygon();
   }
 }
 
 } // namespace
 
-Polygon_soup read_ply(std::string_view bytes)
+Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
 {
   Text_scanner scanner(bytes);
   const Header header = read_header(scanner);
@@ -237,9 +288,9 @@ Polygon_soup read_ply(std::string_view bytes)
   for(const Element& element : header.elements)
   {
     if(element.name == "vertex" || element.name == "vertices")
-      read_points(element, values, soup);
+      read_points(element, attributes, values, soup);
     else if(element.name == "face" || element.name == "faces")
-      read_polygons(element, values, soup);
+      read_polygons(element, attributes, values, soup);
     else if(element.name == "tristrips")
       throw Failure(Exit_code::UNREADABLE, "triangle strips are not supported");
     else

@@ -254,7 +254,7 @@ Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& out
   end_if_stop_is_requested();
   const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
   const UV_map uvs = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-  const Constraints constraints = read_constraints(options, mesh);
+  const Constraints constraints = read_constraints(options, soup, mesh);
   outcome.warnings = constraints.warnings;
   const Result result = run_library(mesh, options, constraints, is_cut, uvs);
   tell(result, mesh, outcome);

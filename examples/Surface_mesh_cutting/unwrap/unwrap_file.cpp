@@ -14,7 +14,7 @@ namespace {
 void unwrap_file(const Options& options, Output_places& places, Outcome& outcome)
 {
   decide_places(options, places);
-  const Layout layout = unwrap_soup(read_mesh_file(options.input), options, outcome);
+  const Layout layout = unwrap_soup(read_mesh_file(options.input, wanted_attributes(options)), options, outcome);
   if(outcome.has_result)
     write_outputs(options, places, layout, outcome);
 }

@@ -1,0 +1,16 @@
+// Colors of points in formats that do not say at which scale they are.
+
+#ifndef UNWRAP_TEXT_COLORS_H
+#define UNWRAP_TEXT_COLORS_H
+
+#include "Polygon_soup.h"
+#include "Text_scanner.h"
+
+// Adds the next number in the line, if there are at least two more: then it is the red channel of a color.
+void read_red(Text_scanner& scanner, Polygon_soup& soup);
+
+// Brings them to the scale from 0 to 1: they are at one to 255 if one of them is above 1. Drops them unless each
+// point has one. Throws a `Failure` with `Exit_code::UNREADABLE` if one is below 0 or above 255.
+void complete_reds(Polygon_soup& soup);
+
+#endif // UNWRAP_TEXT_COLORS_H

@@ -1,0 +1,112 @@
+#include "weigh_edges.h"
+
+#include "Stop_visitor.h"
+#include "constraint_files.h"
+#include "named_elements.h"
+#include "outcome.h"
+#include "stop_request.h"
+
+#include <CGAL/Surface_mesh_cutting/crease_weights.h>
+#include <CGAL/Surface_mesh_cutting/painted_weights.h>
+#include <CGAL/Surface_mesh_cutting/straightness_weights.h>
+#include <CGAL/Surface_mesh_cutting/visibility_weights.h>
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_cutting;
+using Kind = Weight_choice::Kind;
+using Weights = Mesh::Property_map<Edge, double>;
+using Paint = Mesh::Property_map<Vertex, double>;
+
+constexpr double smallest_factor = 0.2;
+
+// What is never cut stays so, also where another file has zero.
+double product(double weight, double factor)
+{
+  return std::isinf(weight) || std::isinf(factor) ? std::numeric_limits<double>::infinity() : weight * factor;
+}
+
+// `is_first` if the weights are still the lengths: then those of the file are taken to the last digit.
+void multiply_by_file(const std::string& path, const Mesh& mesh, bool is_first, Weights weights)
+{
+  for(const Edge_weight& given : read_edge_weights(path))
+  {
+    const Edge e = find_edge(path, given.edge, mesh);
+    const double length = std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    weights[e] = is_first || !(length > 0) ? given.weight : product(weights[e], given.weight / length);
+  }
+}
+
+Paint read_paint(const std::string& path, Mesh& mesh)
+{
+  const Paint paint = mesh.add_property_map<Vertex, double>("", 1).first;
+  const Vertex_values values = read_vertex_values(path);
+  if(values.is_for_all && values.values.size() != mesh.number_of_vertices())
+    throw Failure(Exit_code::UNREADABLE, path + ": has " + std::to_string(values.values.size()) + " numbers for "
+                                           + std::to_string(mesh.number_of_vertices()) + " vertices");
+  for(const Vertex_value& given : values.values)
+    paint[find_vertex(path, given.vertex, mesh)] = given.value;
+  return paint;
+}
+
+Paint paint_by_color(const Polygon_soup& soup, Mesh& mesh)
+{
+  if(soup.reds.empty())
+    throw Failure(Exit_code::UNSUPPORTED, "--edge-weights colors: the input has no colors of all vertices "
+                                          "(COFF; OBJ with red, green and blue behind the coordinates; PLY with red)");
+  const Paint paint = mesh.add_property_map<Vertex, double>("", 1).first;
+  for(const Vertex v : mesh.vertices())
+    paint[v] = smallest_factor + (1 - smallest_factor) * soup.reds[v];
+  return paint;
+}
+
+template <typename NamedParameters>
+void multiply_by_visibility(const Mesh& mesh, Weights weights, const NamedParameters& view)
+{
+  constexpr int number_of_rays = 64;
+  SMC::visibility_weights<CGAL::Parallel_if_available_tag>(mesh, weights, number_of_rays, smallest_factor,
+                                                           view.edge_weight_map(weights).visitor(Stop_visitor()));
+}
+
+void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& soup, Mesh& mesh, Weights weights)
+{
+  constexpr double smallest_convex_factor = 0.6, occlusion_radius = 0.1;
+  const auto given = CGAL::parameters::edge_weight_map(weights);
+  switch(choice.kind)
+  {
+    case Kind::CREASE: SMC::crease_weights(mesh, weights, smallest_factor, given); break;
+    case Kind::CONCAVE:
+      SMC::crease_weights(mesh, weights, smallest_factor, given.smallest_convex_factor(smallest_convex_factor));
+      break;
+    case Kind::STRAIGHT: SMC::straightness_weights(mesh, weights, smallest_factor, given); break;
+    case Kind::VISIBILITY: multiply_by_visibility(mesh, weights, CGAL::parameters::random_seed(0)); break;
+    case Kind::OCCLUSION:
+      multiply_by_visibility(mesh, weights, CGAL::parameters::occlusion_radius(occlusion_radius));
+      break;
+    case Kind::SKY:
+      multiply_by_visibility(mesh, weights, CGAL::parameters::up_direction(
+                                              Kernel::Vector_3(choice.up[0], choice.up[1], choice.up[2])));
+      break;
+    case Kind::COLORS: SMC::painted_weights(mesh, weights, paint_by_color(soup, mesh), given); break;
+    case Kind::PAINT: SMC::painted_weights(mesh, weights, read_paint(choice.file, mesh), given); break;
+    case Kind::EDGES: multiply_by_file(choice.file, mesh, is_first, weights); break;
+  }
+}
+
+} // namespace
+
+void weigh_edges(const std::vector<Weight_choice>& choices, const Polygon_soup& soup, Mesh& mesh, Weights weights)
+{
+  // The lengths as the library measures them.
+  SMC::painted_weights(mesh, weights, CGAL::Constant_property_map<Vertex, double>(1));
+  for(std::size_t i = 0; i < choices.size(); ++i)
+  {
+    multiply(choices[i], i == 0, soup, mesh, weights);
+    end_if_stop_is_requested();
+  }
+}

@@ -1,0 +1,45 @@
+#include "weight_choice.h"
+
+#include <map>
+#include <string_view>
+
+namespace {
+
+using Kind = Weight_choice::Kind;
+
+std::optional<Weight_choice> parse_sky(const std::string& axis)
+{
+  static const std::map<std::string, std::array<int, 3> > directions
+    = {{"x", {{1, 0, 0}}},   {"y", {{0, 1, 0}}},   {"z", {{0, 0, 1}}},
+       {"-x", {{-1, 0, 0}}}, {"-y", {{0, -1, 0}}}, {"-z", {{0, 0, -1}}}};
+  const auto found = directions.find(axis);
+  if(found == directions.end())
+    return std::nullopt;
+  return Weight_choice{Kind::SKY, "", found->second};
+}
+
+} // namespace
+
+std::optional<Weight_choice> parse_weight_choice(const std::string& word)
+{
+  static const std::map<std::string, Kind> names
+    = {{"crease", Kind::CREASE},         {"concave", Kind::CONCAVE},     {"straight", Kind::STRAIGHT},
+       {"visibility", Kind::VISIBILITY}, {"occlusion", Kind::OCCLUSION}, {"sky", Kind::SKY},
+       {"colors", Kind::COLORS}};
+  constexpr std::string_view sky = "sky:", paint = "paint:";
+  Weight_choice choice;
+  if(const auto found = names.find(word); found != names.end())
+    choice.kind = found->second;
+  else if(word.compare(0, sky.size(), sky) == 0)
+    return parse_sky(word.substr(sky.size()));
+  else if(word.compare(0, paint.size(), paint) == 0)
+  {
+    choice.kind = Kind::PAINT;
+    choice.file = word.substr(paint.size());
+    if(choice.file.empty())
+      return std::nullopt;
+  }
+  else
+    choice.file = word;
+  return choice;
+}
