@@ -52,11 +52,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if(size == 0)
     return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  switch(data[0] % 3)
+  switch(data[0] % 4)
   {
     case 0: parse(text); break;
     case 1: read_file(text, read_selection); break;
     case 2: read_file(text, read_edge_weights); break;
+    case 3: read_file(text, read_vertex_values); break;
   }
   return 0;
 }

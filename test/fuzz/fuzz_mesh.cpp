@@ -26,13 +26,17 @@ Options options_of(unsigned bits)
   options.is_bijective = (bits & 8) != 0;
   if((bits & 16) != 0)
     options.maximum_average_distortion = 4.05;
+  if((bits & 32) != 0)
+    options.must_cut = seams_of_input;
+  if((bits & 64) != 0)
+    options.edge_weights = {*parse_weight_choice("colors")};
   return options;
 }
 
-Polygon_soup read(std::string_view bytes, unsigned format)
+Polygon_soup read(std::string_view bytes, unsigned format, Attributes attributes)
 {
-  const Polygon_soup soup = format == 0 ? read_off(bytes) : format == 1 ? read_obj(bytes)
-                          : format == 2 ? read_ply(bytes) : read_stl(bytes);
+  const Polygon_soup soup = format == 0 ? read_off(bytes, attributes) : format == 1 ? read_obj(bytes, attributes)
+                          : format == 2 ? read_ply(bytes, attributes) : read_stl(bytes);
   check_indices(soup);
   return soup;
 }
@@ -46,10 +50,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
   try
   {
-    const Polygon_soup soup = read(bytes, data[0] % 4);
+    const Options options = options_of(data[1]);
+    const Polygon_soup soup = read(bytes, data[0] % 4, wanted_attributes(options));
     if(soup.number_of_polygons() > largest)
       return 0;
-    const Options options = options_of(data[1]);
     Outcome outcome;
     const Layout layout = unwrap_soup(soup, options, outcome);
     if(!outcome.has_result)

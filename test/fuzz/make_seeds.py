@@ -4,8 +4,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unwrap"))
-from support import (joined, octahedron, sphere, to_binary_stl, to_obj, to_off, to_ply, to_text_stl, torus,
-                     without_face)
+from support import (colored_off, decorated_obj, decorated_ply, joined, octahedron, sphere, to_binary_stl, to_obj,
+                     to_off, to_ply, to_text_stl, torus, without_face)
 
 MESHES = [octahedron(), sphere(1), torus(4), without_face(sphere(1)), joined(octahedron(), torus(3))]
 SMALL_FILES = ["cross", "patch-23", "star", "tripod", "u"]
@@ -14,7 +14,9 @@ FORMATS = [(0, to_off), (1, to_obj), (2, lambda mesh: to_ply(mesh, "ascii")),
 COMMAND_LINES = ["mesh.off -o a.obj --json - --svg a.svg --texture a.png --obj-cut c.obj --quiet",
                  "mesh.off --effort fast --connect exact --bijective --max-distortion 4.1 --seed 7 --threads 2",
                  "mesh.off --eps-iso 0.1 --eps-len 1e-2 --alpha .5 --beta 20 --solver eigen --time-limit 3",
-                 "mesh.off --faithful --must-cut a.txt --never-cut b.txt --terminals c.txt --edge-weights crease"]
+                 "mesh.off --faithful --must-cut a.txt --never-cut b.txt --terminals c.txt --edge-weights crease",
+                 "mesh.off --initial-cut uv --edge-weights sky:-x --edge-weights paint:p.txt --edge-weights straight"]
+ALL_ATTRIBUTES = 32 + 64
 
 
 def as_bytes(content):
@@ -25,6 +27,8 @@ def mesh_seeds(mesh_folder):
     for i, mesh in enumerate(MESHES):
         for j, (number, to_format) in enumerate(FORMATS):
             yield bytes([number, (0, 1, 6, 8, 17)[(i + j) % 5]]) + as_bytes(to_format(mesh))
+    for number, mesh in ((0, colored_off(sphere(1))), (1, decorated_obj(sphere(1))), (2, decorated_ply(sphere(1)))):
+        yield bytes([number, ALL_ATTRIBUTES if number > 0 else 64]) + mesh.encode()
     for i, name in enumerate(SMALL_FILES):
         file = mesh_folder / f"{name}.off"
         if file.exists():
@@ -51,6 +55,8 @@ def argument_seeds(_):
         yield b"\0" + line.replace(" ", "\n").encode()
     yield b"\x01" + b"1 2 3\n\n4 5 6 7\n"
     yield b"\x02" + b"1 2 0.5\n3 4 inf\n"
+    yield b"\x03" + b"1 0.5\n3 2\n"
+    yield b"\x03" + b"0.5\n2\n0\n"
 
 
 def main():

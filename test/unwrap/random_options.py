@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path, PurePath
 
 from judge import CHECKS, Fault, changes, check_no_temporary_file, check_report, require, snapshot
-from support import (PROGRAM, STATUS, as_nobody, joined, sphere, to_obj, to_off, to_ply, to_text_stl,
+from support import (PROGRAM, STATUS, as_nobody, decorated_obj, joined, sphere, to_obj, to_off, to_ply, to_text_stl,
                      torus, without_face)
 
 COW = sphere(2)
@@ -20,7 +20,8 @@ FILES = {
     "open.ply": to_ply(without_face(sphere(1)), "binary_little_endian"), "two.off": to_off(joined(COW, COW)),
     "truncated.off": to_off(COW)[:500], "quad.off": to_off((COW[0], [(0, 1, 2, 3)])), "empty.off": "",
     "s.txt": f"{A} {C}\n\n{A} {B}\n", "wrong.txt": "x\n", "far.txt": "1000000\n\n1 2\n", "none.txt": "",
-    "weights.txt": f"{A} {B} 3\n{B} {C} inf\n", "huge.txt": f"{A} {B} 1e308\n",
+    "weights.txt": f"{A} {B} 3\n{B} {C} inf\n", "huge.txt": f"{A} {B} 1e308\n", "paint.txt": "1 5\n2 0\n",
+    "decorated.obj": decorated_obj(COW),
     "former.obj": "former", "report.json": START_OF_REPORT + b'usage"', "notes.txt": "precious",
 }
 CONSTRAINTS = ["s.txt", "s.txt", "s.txt", "wrong.txt", "far.txt", "none.txt", "weights.txt", "huge.txt", "cow.off",
@@ -29,6 +30,9 @@ PLACES = [*FILES, "hard.off", "soft.off", "./cow.off", "folder/../cow.off", "dan
           "cow.off/x", "", "-", "--bogus", "x" * 300, "/dev/null", "/dev/full", "/dev/stdout", "/dev/stdin", "/dev/fd/1",
           "/dev/fd/77", "/proc/version", "a file", "locked/x", "pipe"]
 OUTPUTS = {"--output": "a.obj", "--svg": "a.svg", "--texture": "a.png", "--obj-cut": "cut.obj", "--json": "r.json"}
+WORDS = {"--must-cut": ["uv"], "--initial-cut": ["uv"],  # no files
+         "--edge-weights": ["crease", "concave", "straight", "visibility", "occlusion", "sky", "sky:z", "sky:w", "colors",
+                            "paint:paint.txt", "paint:weights.txt"]}
 INPUT_OPTIONS = ["--must-cut", "--never-cut", "--initial-cut", "--terminals", "--edge-weights"]
 VALUES = {
     "--effort": ["fast", "default", "best"], "--connect": ["mst", "sph", "greedy", "exact", "best"],
@@ -76,8 +80,8 @@ class Case:
                 groups.append(self.spell(option, place))
         for option in INPUT_OPTIONS:
             if self.some(0.1):
-                name = self.generator.choice(CONSTRAINTS + ["crease", "visibility"] * (option == "--edge-weights"))
-                self.inputs.append(name)
+                name = self.generator.choice(CONSTRAINTS + WORDS.get(option, []))
+                self.inputs.append(name[len("paint:"):] if name.startswith("paint:") else name)
                 groups.append(self.spell(option, name))
         for option, values in VALUES.items():
             if self.some(0.12):

@@ -62,7 +62,7 @@ def pick_options(generator, folder, faces):
     if some(0.1):
         options += ["--alpha", generator.choice([0, 0.5, 1])]
     if some(0.3):
-        options += ["--edge-weights", generator.choice(["crease", "visibility"])]
+        options += ["--edge-weights", generator.choice(["concave", "straight", "visibility", "sky"])]
     if faces and some(0.3):
         face = generator.choice(faces)
         (folder / "s.txt").write_text(f"{face[2]}\n\n{face[0]} {face[1]}\n")

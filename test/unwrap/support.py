@@ -182,6 +182,36 @@ def to_ply(mesh, form):
     return header + body
 
 
+def colored_off(mesh):
+    """One half of the points is white."""
+    lines = to_off(mesh).replace("OFF", "COFF", 1).splitlines()
+    lines[2:2 + len(mesh[0])] = [f"{line} " + ("255 255 255" if point[0] > 0 else "0 0 0")
+                                 for line, point in zip(lines[2:], mesh[0])]
+    return "\n".join(lines) + "\n"
+
+
+def decorated_obj(mesh):
+    """With the same colors, and texture points that two halves do not share."""
+    points, faces = mesh
+    lines = ["v " + " ".join(map(repr, point)) + (" 1 1 1" if point[0] > 0 else " 0 0 0") for point in points]
+    lines += [f"vt {x + shift!r} {y!r}" for shift in (0, 10) for x, y, _ in points]
+    for i, face in enumerate(faces):
+        lines.append("f " + " ".join(f"{v + 1}/{v + 1 + i % 2 * len(points)}" for v in face))
+    return "\n".join(lines) + "\n"
+
+
+def decorated_ply(mesh):
+    """The same as text."""
+    points, faces = mesh
+    header = ply_header("ascii", len(points), len(faces)).replace("float z\n", "float z\nproperty uchar red\n")
+    lines = [" ".join(map(repr, point)) + (" 255" if point[0] > 0 else " 0") for point in points]
+    for i, face in enumerate(faces):
+        uvs = [x for v in face for x in (points[v][0] + i % 2 * 10, points[v][1])]
+        lines.append(" ".join(map(str, (len(face), *face, 2 * len(face), *uvs))))
+    return (header.replace("vertex_indices\n", "vertex_indices\nproperty list uchar float texcoord\n")
+            + "\n".join(lines) + "\n")
+
+
 def to_text_stl(mesh):
     points, faces = mesh
     lines = ["solid made by a test"]
@@ -212,3 +242,19 @@ def read_obj(path):
         elif words[0] == "f":
             faces.append([tuple(int(i) - 1 for i in word.split("/")) for word in words[1:]])
     return points, texture_points, faces
+
+
+def cut_edges(path):
+    """The edges whose two sides have different texture points."""
+    sides = {}
+    for face in read_obj(path)[2]:
+        for (a, uv_a), (b, uv_b) in zip(face, face[1:] + face[:1]):
+            sides.setdefault(frozenset((a, b)), []).append({a: uv_a, b: uv_b})
+    return {edge for edge, (one, *other) in sides.items() if other and one != other[0]}
+
+
+# -------------------------------------------------------------------------------------- constraints
+
+def selection(vertices=(), edges=()):
+    """A CGAL .selection.txt file."""
+    return "\n".join([" ".join(map(str, vertices)), "", " ".join(f"{a} {b}" for a, b in edges)]) + "\n"

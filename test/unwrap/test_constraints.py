@@ -1,6 +1,6 @@
 """Constraints from files: they are satisfied, and what is wrong with them is said."""
 
-from support import Case, main, read_obj, sphere, to_off, torus
+from support import Case, cut_edges, main, selection, sphere, to_off, torus
 
 SPHERE = sphere(3)
 # Some edges around a vertex, and the loop around it.
@@ -8,19 +8,6 @@ CENTER = 70
 STAR = [tuple(v for v in face if v != CENTER) for face in SPHERE[1] if CENTER in face]
 SELECTIONS = ("--must-cut", "--never-cut", "--initial-cut", "--terminals")
 FILES = (*SELECTIONS, "--edge-weights")
-
-
-def selection(vertices=(), edges=()):
-    return "\n".join([" ".join(map(str, vertices)), "", " ".join(f"{a} {b}" for a, b in edges)]) + "\n"
-
-
-def cut_edges(path):
-    """The edges whose two sides have different texture points."""
-    sides = {}
-    for face in read_obj(path)[2]:
-        for (a, uv_a), (b, uv_b) in zip(face, face[1:] + face[:1]):
-            sides.setdefault(frozenset((a, b)), []).append({a: uv_a, b: uv_b})
-    return {edge for edge, (one, *other) in sides.items() if other and one != other[0]}
 
 
 class Constraints(Case):

@@ -2,7 +2,8 @@
 
 import random
 
-from support import (Case, main, sphere, to_binary_stl, to_obj, to_off, to_ply, to_text_stl)
+from support import (Case, colored_off, decorated_obj, decorated_ply, main, sphere, to_binary_stl, to_obj, to_off,
+                     to_ply, to_text_stl)
 
 SEED = 20260101
 MUTATIONS_PER_FILE = 60
@@ -10,6 +11,8 @@ SPHERE = sphere(1)
 FILES = {"a.off": to_off(SPHERE).encode(), "a.obj": to_obj(SPHERE).encode(),
          "a.ply": to_ply(SPHERE, "ascii"), "b.ply": to_ply(SPHERE, "binary_little_endian"),
          "a.stl": to_text_stl(SPHERE).encode(), "b.stl": to_binary_stl(SPHERE)}
+COLORED = {"colored.off": colored_off(SPHERE).encode()}
+DECORATED = {"decorated.obj": decorated_obj(SPHERE).encode(), "decorated.ply": decorated_ply(SPHERE).encode()}
 
 
 def mutate(data, generator):
@@ -29,17 +32,26 @@ def mutate(data, generator):
 
 
 class Mutations(Case):
-    def test_mutations(self):
-        print(f"seed {SEED}")
-        generator = random.Random(SEED)
-        for name, data in FILES.items():
+    def mutate_all(self, files, seed, *options):
+        print(f"seed {seed}")
+        generator = random.Random(seed)
+        for name, data in files.items():
             for number in range(MUTATIONS_PER_FILE):
                 with self.subTest(name=name, number=number):
                     self.write(name, mutate(data, generator))
-                    exit_code, report = self.report(name, "-o", "out.obj", "--threads", "1")
+                    exit_code, report = self.report(name, "-o", "out.obj", "--threads", "1", *options)
                     self.assertIn(exit_code, (0, 3, 4, 5), report["message"])
                     self.assertEqual("out.obj" in self.files(), exit_code == 0)
                     (self.folder / "out.obj").unlink(missing_ok=True)
+
+    def test_mutations(self):
+        self.mutate_all(FILES, SEED)
+
+    def test_mutations_of_colors(self):
+        self.mutate_all(COLORED, SEED, "--edge-weights", "colors")
+
+    def test_mutations_of_texture_coordinates(self):
+        self.mutate_all(DECORATED, SEED, "--initial-cut", "uv", "--edge-weights", "colors")
 
 
 main()

@@ -1,7 +1,7 @@
 #include "Text_scanner.h"
 #include "mesh_file.h"
 #include "outcome.h"
-#include "text_colors.h"
+#include "vertex_colors.h"
 
 #include <algorithm>
 #include <cctype>

@@ -2,6 +2,7 @@
 #include "byte_order.h"
 #include "mesh_file.h"
 #include "outcome.h"
+#include "vertex_colors.h"
 
 #include <algorithm>
 #include <climits>
@@ -271,7 +272,7 @@ void read_polygons(const Element& element, Attributes attributes, Values& values
       else
         skip(property, values);
     }
-    if(uvs >= 0)
+    if(attributes.has_uvs)
       add_uvs(texture, int(soup.corners.size() - first_corner), soup);
     soup.close_polygon();
   }
@@ -298,5 +299,6 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
         for(const Property& property : element.properties)
           skip(property, values);
   }
+  complete_reds(soup);
   return soup;
 }

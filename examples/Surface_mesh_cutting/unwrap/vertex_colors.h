@@ -1,7 +1,7 @@
-// Colors of points in formats that do not say at which scale they are.
+// The red channel of the colors of points, while it is read.
 
-#ifndef UNWRAP_TEXT_COLORS_H
-#define UNWRAP_TEXT_COLORS_H
+#ifndef UNWRAP_VERTEX_COLORS_H
+#define UNWRAP_VERTEX_COLORS_H
 
 #include "Polygon_soup.h"
 #include "Text_scanner.h"
@@ -13,4 +13,4 @@ void read_red(Text_scanner& scanner, Polygon_soup& soup);
 // point has one. Throws a `Failure` with `Exit_code::UNREADABLE` if one is below 0 or above 255.
 void complete_reds(Polygon_soup& soup);
 
-#endif // UNWRAP_TEXT_COLORS_H
+#endif // UNWRAP_VERTEX_COLORS_H

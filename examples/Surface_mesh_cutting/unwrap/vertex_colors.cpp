@@ -1,4 +1,4 @@
-#include "text_colors.h"
+#include "vertex_colors.h"
 
 #include "outcome.h"
 
