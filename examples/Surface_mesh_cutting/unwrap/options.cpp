@@ -30,23 +30,24 @@ Output: texture coordinates are at the scale of the surface. Corners share one u
 lies between them. Either all files appear, when the run is complete, or none.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
-of vertices, all counted from 0. For --must-cut and --initial-cut, SEL can also be uv: the seams of the
-texture coordinates in INPUT (OBJ with vt; PLY with a list texcoord of the faces), that is the edges at
-which those of the two faces differ.
+of vertices, all counted from 0. For --must-cut and --initial-cut, uv stands for the seams of the
+texture coordinates in INPUT, the edges at which those of the two faces differ (OBJ with vt; PLY
+with a list texcoord of the faces).
 
 Weights: what a cut costs, by default its length, times the factors of all --edge-weights given:
-  crease, concave      from 0.2 at sharp edges to 1 where it is flat; concave: only 0.6 at convex edges
-  straight             0.2 along and across the direction in which the surface bends most, up to 1
-                       between them and where it bends alike in all directions
-  visibility           0.2 where the surface hides the edge from all sides, up to 1
-  occlusion            the same with only what is within a tenth of the bounding box diagonal
-  sky, sky:AXIS        the same seen from above only; AXIS is x, y (default), z, -x, -y or -z
-  colors               0.2 where the red channel of the vertex colors of INPUT is 0, up to 1 where it is
-                       full (COFF; OBJ with red, green and blue behind the coordinates; PLY with red)
-  paint:FILE           the mean of the numbers at both ends; FILE has one number, at least 0, per line
-                       for each vertex, or lines with a vertex and its number; other vertices have 1
-  FILE                 weights instead of factors: one line per edge, with its two vertices and its
-                       weight, at least 0, or inf for an edge never to cut; other edges keep theirs
+  crease          0.2 at sharp edges, up to 1 where the surface is flat
+  concave         the same, but 0.6 at sharp convex edges
+  straight        0.2 along and across the direction in which the surface bends most, up to 1
+                  between them and where it bends alike in all directions
+  visibility      0.2 where the surface hides the edge from all sides, up to 1
+  occlusion       the same, hidden only by what is within a tenth of the bounding box diagonal
+  sky, sky:AXIS   the same, seen from above only; AXIS is x, y (default), z, -x, -y or -z
+  colors          0.2 where the red channel of the vertex colors in INPUT is 0, up to 1 where it is
+                  full (COFF; OBJ with red, green and blue behind coordinates; PLY with red)
+  paint:FILE      the mean of the numbers at both ends; FILE has one number, at least 0, in each
+                  line for each vertex, or a vertex and its number; other vertices have 1
+  FILE            weight over length; FILE has the two vertices and the weight of an edge in each
+                  line, at least 0, or inf for an edge never to cut; other edges have 1
 A file whose name is one of these words can be given as ./NAME.
 
 Exit status:
@@ -216,7 +217,7 @@ void add_constraint_options(CLI::App& app, Options& options)
        },
        "Cost of cutting an edge, instead of its length: low at\ncreases, low where hidden, painted or from a file (see\n"
        "below). Can be given several times: the factors multiply")
-    ->type_name("WEIGHTS")->allow_extra_args(false)->group(group);
+    ->option_text("WEIGHTS")->allow_extra_args(false)->group(group);
 }
 
 void add_run_options(CLI::App& app, Options& options)
