@@ -159,36 +159,32 @@ void test_occlusion()
   assert(edges_of_rings == 48 * (n + 1));
 }
 
-// On a cylinder, edges along and around are cheap and those halfway between are not.
-void test_straightness()
+// On a cylinder, edges along and around are cheap; others have the squared cosine of twice their angle.
+void test_straightness(double stretch, double scale)
 {
   const int m = 24, n = 8;
-  const double side = 2 * std::sin(CGAL_PI / m);
+  const double side = 2 * std::sin(CGAL_PI / m), height = stretch * side;
   Soup soup = test::tube(m, n);
   for(std::array<double, 3>& p : soup.points)
-    p[2] *= side;
-  for(const double scale : {1., 1e-200, 1e200})
+    p[2] *= height;
+  soup.scale(scale);
+  Mesh mesh = test::make_mesh<Mesh>(soup);
+  const Weights weights = make_weights(mesh);
+  assert(SMC::straightness_weights(mesh, weights, 0.2));
+  const double bent = 1 / (1 + 1 / (8 + n * height * n * height)); // curvature 1, and the squared diagonal
+  const double cosine = (1 - stretch * stretch) / (1 + stretch * stretch);
+  int straight = 0, oblique = 0;
+  for(const Edge e : mesh.edges())
   {
-    Soup scaled = soup;
-    scaled.scale(scale);
-    Mesh mesh = test::make_mesh<Mesh>(scaled);
-    const Weights weights = make_weights(mesh);
-    assert(SMC::straightness_weights(mesh, weights, 0.2));
-    const double squared_diagonal = 8 + n * side * n * side; // at a curvature of 1
-    const double smallest = 1 - 0.8 / (1 + 1 / squared_diagonal);
-    int straight = 0, oblique = 0;
-    for(const Edge e : mesh.edges())
-    {
-      const Vertex s = mesh.vertex(e, 0), t = mesh.vertex(e, 1);
-      if((std::min)(row(s, n), row(t, n)) == 0 || (std::max)(row(s, n), row(t, n)) == n)
-        continue;
-      const bool is_straight = column(s, n) == column(t, n) || row(s, n) == row(t, n);
-      const double length = scale * side * (is_straight ? 1 : std::sqrt(2));
-      assert(are_close(weights[e] / length, is_straight ? smallest : 1, 1e-3));
-      ++(is_straight ? straight : oblique);
-    }
-    assert(straight > oblique && oblique > 0);
+    const Vertex s = mesh.vertex(e, 0), t = mesh.vertex(e, 1);
+    if((std::min)(row(s, n), row(t, n)) == 0 || (std::max)(row(s, n), row(t, n)) == n)
+      continue;
+    const bool is_along = column(s, n) == column(t, n), is_straight = is_along || row(s, n) == row(t, n);
+    const double length = is_along ? height : is_straight ? side : std::hypot(height, side);
+    assert(are_close(weights[e] / (scale * length), 1 - 0.8 * bent * (is_straight ? 1 : cosine * cosine), 1e-3));
+    ++(is_straight ? straight : oblique);
   }
+  assert(straight > oblique && oblique > 0);
 }
 
 // Where no direction is better than the others, nothing is favored.
@@ -323,7 +319,10 @@ int main()
   test_concave_creases();
   test_sky();
   test_occlusion();
-  test_straightness();
+  for(const double stretch : {1., 2., 0.4})
+    test_straightness(stretch, 1);
+  for(const double scale : {1e-200, 1e200})
+    test_straightness(1, scale);
   test_without_directions();
   test_paint();
   test_products();

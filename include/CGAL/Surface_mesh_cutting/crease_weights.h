@@ -18,6 +18,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/dihedral_angles.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/flatness.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
@@ -89,9 +91,12 @@ Status<TriangleMesh> crease_weights(const TriangleMesh& tmesh, EdgeWeightMap edg
     parameters::get_parameter(np, internal_np::smallest_convex_factor), smallest_factor);
   return internal::put_weights(tmesh, edge_weight_map, np, [&](const auto& adapter, std::vector<double>& factors)
   {
-    factors = internal::crease_factors(adapter.mesh(), smallest_factor, smallest_convex_factor);
-    const internal::Indexed_status status = internal::check_factor("smallest_factor", smallest_factor);
-    return status ? internal::check_factor("smallest_convex_factor", smallest_convex_factor) : status;
+    internal::Indexed_status status = internal::check_factor("smallest_factor", smallest_factor);
+    if(status)
+      status = internal::check_factor("smallest_convex_factor", smallest_convex_factor);
+    if(status)
+      factors = internal::crease_factors(adapter.mesh(), smallest_factor, smallest_convex_factor);
+    return status;
   });
 }
 
