@@ -8,8 +8,8 @@
 
 namespace {
 
-// Reads the word OFF with its prefixes. Files that start with the counts have been seen, too.
-void read_header(Text_scanner& scanner)
+// Passes over the word OFF with its prefixes. Files that start with the counts have been seen, too.
+void skip_word_of_format(Text_scanner& scanner)
 {
   const Text_scanner start = scanner;
   const std::string_view word = scanner.word();
@@ -90,7 +90,7 @@ std::optional<Polygon_soup> try_several_points_in_a_line(Text_scanner& scanner)
 Polygon_soup read_off(std::string_view text)
 {
   Text_scanner scanner(without_byte_order_mark(text));
-  read_header(scanner);
+  skip_word_of_format(scanner);
   const Text_scanner behind_header = scanner;
   try
   {
