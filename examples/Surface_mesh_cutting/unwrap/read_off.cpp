@@ -16,7 +16,7 @@ struct Point_line
 };
 
 // Reads the word OFF with its prefixes. Files that start with the counts have been seen, too.
-Point_line read_header(Text_scanner& scanner)
+Point_line read_word_of_format(Text_scanner& scanner)
 {
   const Text_scanner start = scanner;
   const std::string_view word = scanner.word();
@@ -109,7 +109,7 @@ std::optional<Polygon_soup> try_several_points_in_a_line(Text_scanner& scanner)
 Polygon_soup read_off(std::string_view text, Attributes attributes)
 {
   Text_scanner scanner(without_byte_order_mark(text));
-  Point_line line = read_header(scanner);
+  Point_line line = read_word_of_format(scanner);
   line.has_color = line.has_color && attributes.has_colors;
   const Text_scanner behind_header = scanner;
   try
