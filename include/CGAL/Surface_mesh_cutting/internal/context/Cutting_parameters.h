@@ -42,6 +42,7 @@ struct Cutting_parameters
   double decrease_per_cost = 0.15;         // of the energy, for a slit to be worth its length in
                                              // bounding box diagonals
   double maximum_average_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
+  bool has_weights = false;                  // whether edges cost other than their length
   double minimum_area_ratio = 0.1;           // alpha
   double influence_threshold = 20;           // beta
   double forbidden_radius = 10;              // d_n
@@ -65,6 +66,18 @@ struct Cutting_parameters
   unsigned int random_seed = 0;
   // For the sparse systems of all maps; not needed where nothing is mapped.
   std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
+
+  // Where edges have weights, in units of what a unit of length costs on average over the surface: what is cut lies
+  // mostly where it is cheap, and how far depends on the refinement.
+  void adapt_to_weights()
+  {
+    constexpr double surface_over_cut = 1.5; // of the average costs per length
+    constexpr int least_number_of_solves = 16;
+    has_weights = true;
+    decrease_per_cost *= surface_over_cut;
+    if(number_of_shortening_solves > 0)
+      number_of_shortening_solves = (std::max)(number_of_shortening_solves, least_number_of_solves);
+  }
 
   // Of the search for a long path: the paper starts at a random vertex.
   int number_of_sweeps() const { return use_published_method ? 1 : 2; }

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -69,8 +70,7 @@ inline double cut_cost(const Edge_constraints& constraints, const Cut& cut)
   return cost;
 }
 
-// What a unit of length costs on average, where the surface may be cut: 1 where weights are lengths. By it, results do
-// not depend on the unit of the weights.
+// What a unit of length costs on average, where the surface may be cut.
 inline double cost_per_length(const Indexed_mesh& mesh, const Edge_constraints& constraints)
 {
   double cost = 0, length = 0;
@@ -81,6 +81,22 @@ inline double cost_per_length(const Indexed_mesh& mesh, const Edge_constraints& 
       length += mesh.length(e);
     }
   return cost > 0 && length > 0 ? cost / length : 1;
+}
+
+// Makes a unit of length cost 1 on average, so that results do not depend on the unit of the weights; weights that are
+// lengths up to rounding become lengths. Returns what the unit cost before.
+inline double normalize_weights(const Indexed_mesh& mesh, Edge_constraints& constraints)
+{
+  constexpr double rounding = 1e-9;
+  const double unit = cost_per_length(mesh, constraints);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+  {
+    double& weight = constraints.weights[e];
+    weight /= unit;
+    if(std::abs(weight - mesh.length(e)) <= rounding * mesh.length(e))
+      weight = mesh.length(e);
+  }
+  return unit;
 }
 
 // Whether the weights of the edges that may be cut are their lengths.

@@ -92,6 +92,23 @@ public:
     return best;
   }
 
+  // The whole branch that costs most, of those without mandatory edges and with another tip than at `is_kept`.
+  Branch_removal most_expensive(const Cut& cut, const std::vector<char>& is_kept) const
+  {
+    const std::size_t open_edges = number_of_open_edges(cut);
+    Branch_removal best;
+    for(const Leaf_branch& branch : leaf_branches(m_mesh, cut, std::vector<char>(m_mesh.number_of_vertices(), 0)))
+    {
+      const std::size_t size = branch.edges.size();
+      if(is_kept[branch.vertices.front()] || number_of_free_edges(branch) < size || open_edges < size + 2)
+        continue;
+      Branch_removal removal = outer_part(branch, size);
+      if(removal.cost > best.cost)
+        best = std::move(removal);
+    }
+    return best;
+  }
+
   // What closing this part costs, in energy.
   void remember(const Branch_removal& removal, double energy) { m_energies[{removal.tip, removal.new_tip}] = energy; }
 

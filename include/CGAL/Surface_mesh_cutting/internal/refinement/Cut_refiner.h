@@ -14,12 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Trade_off.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
-#include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 
 #include <algorithm>
 #include <limits>
@@ -29,16 +28,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// A cut through feature points and the map of the surface opened along it.
-struct Mapped_cut
-{
-  std::vector<int> features;
-  Connected_cut tree;
-  bool is_connected = false; // whether the tree is one through the features; it was one through earlier ones
-  double cost = 0;           // of the cut of the chart
-  Open_chart chart;
-};
 
 // The limits of a refined cut.
 struct Refinement_limits
@@ -58,50 +47,35 @@ struct Refinement_limits
 template <typename ConcurrencyTag>
 class Cut_refiner
 {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
 public:
   // The references are kept. What is mandatory, and the terminals, stay on the cut.
   Cut_refiner(const Problem& problem, const Context& context)
     : m_mesh(problem.mesh), m_constraints(problem.constraints), m_terminals(problem.terminals),
-      m_parameters(context.parameters), m_control(context.control), m_slits(problem.mesh, problem.constraints),
-      m_removals(problem.mesh, problem.constraints),
-      m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control)
+      m_parameters(context.parameters), m_slits(problem.mesh, problem.constraints),
+      m_removals(problem.mesh, problem.constraints), m_cut(problem, context)
   {}
 
   // Connects the features; call first. A tree that will not matter gets as little effort as one on the way to
   // the final tree.
   Indexed_status connect(std::vector<int> features, bool matters = true)
   {
-    m_features = std::move(features);
-    connect(matters ? m_parameters.connection : m_parameters.connection_while_refining());
-    return m_tree.status;
+    m_cut.connect(std::move(features), matters ? m_parameters.connection : m_parameters.connection_while_refining());
+    return m_cut.tree().status;
   }
 
   // Maps the surface opened along the connected cut; call after connect(). False if no flip-free map was
   // found or the run was stopped.
-  bool map() { return map(m_map.policy().precision); }
+  bool map() { return m_cut.map_tree(infinity); }
 
   // The same with another precision.
-  bool map(double precision)
-  {
-    return map(m_tree.cut, std::numeric_limits<double>::infinity(), precision);
-  }
+  bool map(double precision) { return m_cut.map_tree(infinity, precision); }
 
   // Replaces the tree by another cut through the features, and its map.
-  void replace_tree(Open_chart chart)
-  {
-    m_cost = cut_cost(m_constraints, chart.cut);
-    m_map.restore(std::move(chart));
-    record();
-  }
+  void replace_tree(Open_chart chart) { m_cut.replace(std::move(chart)); }
 
-  const std::vector<int>& features() const { return m_features; }
-  // The tree through the features, or through former ones if the run was stopped. What is refined may differ
-  // from it.
-  const Connected_cut& tree() const { return m_tree; }
-  bool is_connected() const { return m_is_connected; }
-  const Open_chart& chart() const { return m_map.state(); }
-  // All cuts that were mapped.
-  const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
+  const Working_cut<ConcurrencyTag>& cut() const { return m_cut; }
 
   // Opens slits until the energy is at most `bound`, each the one with the best gain per cost, as
   // long as that is more than `least_gain`. The tree through all points is shorter than the cut with
@@ -111,20 +85,56 @@ public:
     constexpr int maximum_number_of_rounds = 3; // of slits and a new tree each
     for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain); ++round)
     {
-      Mapped_cut former = state();
+      Mapped_cut former = m_cut.state();
       if(!reconnect(Refinement_limits()))
         break;
-      if(m_map.energy() <= bound)
+      if(m_cut.energy() <= bound)
         break;
       // A few slits repair what the other tree lost; if that is longer in the end, the former one
       // stays.
-      if(!open_slits_until(bound, least_gain) || m_cost >= former.cost)
+      if(!open_slits_until(bound, least_gain) || m_cut.cost() >= former.cost)
       {
-        restore(std::move(former));
+        m_cut.restore(std::move(former));
         break;
       }
     }
-    return m_map.energy() <= bound;
+    return m_cut.energy() <= bound;
+  }
+
+  // Opens slits far cheaper than what they gain, however little that is: it allows for the loss of expensive pieces.
+  void open_cheap_slits(double energy_per_cost)
+  {
+    constexpr int maximum_number_of_slits = 40;
+    constexpr double excess = 1.2;      // of the gain, over what pays
+    constexpr double least_gain = 0.05; // of epsilon_iso; for less, there are slits everywhere
+    const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
+    for(int i = 0; i < maximum_number_of_slits && m_cut.goes_on(); ++i)
+    {
+      const Slit slit = m_slits.best(m_cut.map(), is_excluded);
+      if(slit.tip < 0 || slit.gain < least_gain * m_parameters.minimum_distortion_decrease ||
+         slit.gain_per_cost() < excess * energy_per_cost || !m_cut.open(slit))
+        return;
+    }
+  }
+
+  // Moves the ends of branches, the most expensive first, to where they gain most beyond their cost; some vanish.
+  // Each takes up to two solves.
+  void move_ends(const Refinement_limits& limits, int number_of_branches)
+  {
+    std::vector<char> is_done = kept_tips();
+    for(int i = 0; i < number_of_branches && m_cut.goes_on(); ++i)
+    {
+      const Branch_removal branch = m_removals.most_expensive(m_cut.cut(), is_done);
+      if(branch.tip < 0)
+        return;
+      is_done[branch.tip] = 1;
+      Mapped_cut former = m_cut.state();
+      int end = -1;
+      if(!move_end(branch, limits, end))
+        m_cut.restore(std::move(former));
+      else if(end >= 0)
+        is_done[end] = 1;
+    }
   }
 
   // Drops or trims branches, those first that seem to cost least energy for their cost. Then exchanges: slits
@@ -134,53 +144,15 @@ public:
   void shorten(const Refinement_limits& limits)
   {
     m_solves_left = limits.number_of_solves;
-    std::vector<char> is_kept(m_mesh.number_of_vertices(), 0);
-    for(int v : m_terminals)
-      is_kept[v] = 1;
+    std::vector<char> is_kept = kept_tips();
     drop_branches(limits, m_solves_left, is_kept);
-    while(m_solves_left > 0 && goes_on() && exchange(limits, is_kept))
+    while(m_solves_left > 0 && m_cut.goes_on() && exchange(limits, is_kept))
       continue;
-    if(!m_is_connected && !m_control.is_stopped())
+    if(!m_cut.is_connected() && !m_cut.is_stopped())
       reconnect(limits);
   }
 
 private:
-  bool goes_on() { return !m_map.is_given_up() && m_control.go_further(); }
-
-  void connect(const CGAL::internal::Steiner_tree::Options& options)
-  {
-    m_tree = connect_terminals<ConcurrencyTag>(m_mesh, m_constraints, m_features, options, m_control);
-    m_is_connected = true;
-    m_cost = cut_cost(m_constraints, m_tree.cut);
-  }
-
-  void record() { m_trade_offs.push_back({cut_length(m_mesh, m_map.cut()), m_cost, m_map.energy()}); }
-
-  Mapped_cut state() const { return {m_features, m_tree, m_is_connected, m_cost, m_map.state()}; }
-
-  void restore(Mapped_cut state)
-  {
-    m_features = std::move(state.features);
-    m_tree = std::move(state.tree);
-    m_is_connected = state.is_connected;
-    m_cost = state.cost;
-    m_map.restore(std::move(state.chart));
-  }
-
-  // False if that did not lower the energy.
-  bool open(const Slit& slit)
-  {
-    const double before = m_map.energy();
-    m_map.open(slit.edges);
-    if(!(m_map.energy() < before))
-      return false;
-    m_features.push_back(slit.tip);
-    m_is_connected = false;
-    m_cost += slit.cost;
-    record();
-    return true;
-  }
-
   // A bound that so many slits do not reach is out of reach: bounds that are reached take less than half as
   // many. Each slit takes a solve of the whole; on small surfaces, all take about half a minute.
   bool open_slits_until(double bound, double least_gain)
@@ -189,28 +161,17 @@ private:
     const int maximum_number_of_slits
       = (std::max)(enough_slits, enough_solved_faces / m_mesh.number_of_faces());
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
-    for(int i = 0; m_map.energy() > bound && m_control.go_further(); ++i)
+    for(int i = 0; m_cut.energy() > bound; ++i)
     {
-      if(i > maximum_number_of_slits || m_map.is_given_up())
+      if(i > maximum_number_of_slits || !m_cut.goes_on())
         return false;
-      const Slit slit = m_slits.best(m_map, is_excluded);
+      const Slit slit = m_slits.best(m_cut.map(), is_excluded);
       if(slit.tip < 0 || slit.gain_per_cost() < least_gain)
         return false;
-      if(!open(slit))
+      if(!m_cut.open(slit))
         return false;
     }
-    return !m_control.is_stopped();
-  }
-
-  // Maps the surface opened along the cut. False also if the energy is above `bound`, as soon as that is
-  // foreseeable.
-  bool map(const Cut& cut, double bound) { return map(cut, bound, m_map.policy().precision); }
-  bool map(const Cut& cut, double bound, double precision)
-  {
-    if(!m_map.initialize(cut, bound, precision))
-      return false;
-    record();
-    return true;
+    return !m_cut.is_stopped();
   }
 
   // The most energy that a cut may have in exchange for so much cost.
@@ -219,24 +180,22 @@ private:
     return (std::min)(limits.energy, energy + limits.energy_per_cost * saved_cost);
   }
 
-  bool is_tree() const { return m_is_connected && m_map.cut() == m_tree.cut; }
-
   // Takes the tree through the features instead of the present cut if it is shorter and keeps to the limits. False
   // if the cut is not that tree then.
   bool reconnect(const Refinement_limits& limits)
   {
-    Mapped_cut former = state();
-    connect(m_parameters.connection_while_refining());
-    if(m_tree.status)
+    Mapped_cut former = m_cut.state();
+    m_cut.connect(m_parameters.connection_while_refining());
+    if(m_cut.tree().status)
     {
-      const double saved = former.cost - m_cost;
-      if(m_tree.cut == former.chart.cut ||
-         (saved > 0 && map(m_tree.cut, largest_energy(limits, former.chart.energy, saved))))
+      const double saved = former.cost - m_cut.cost();
+      if(m_cut.tree().cut == former.chart.cut ||
+         (saved > 0 && m_cut.map_tree(largest_energy(limits, former.chart.energy, saved))))
         return true;
-      former.tree = std::move(m_tree);
+      former.tree = m_cut.tree();
       former.is_connected = true;
     }
-    restore(std::move(former));
+    m_cut.restore(std::move(former));
     return false;
   }
 
@@ -246,11 +205,11 @@ private:
     constexpr double worthwhile = 0.1; // of epsilon_len: removing less is not worth a solve
     const double least = worthwhile * m_parameters.connection.minimum_length_decrease;
     const auto allowed_energy = [&](double cost)
-    { return cost < least ? 0 : largest_energy(limits, m_map.energy(), cost) - m_map.energy(); };
+    { return cost < least ? 0 : largest_energy(limits, m_cut.energy(), cost) - m_cut.energy(); };
     int number_of_failures = 0;
-    while(m_solves_left > 0 && number_of_failures < maximum_number_of_failures && goes_on())
+    while(m_solves_left > 0 && number_of_failures < maximum_number_of_failures && m_cut.goes_on())
     {
-      const Branch_removal removal = m_removals.best(m_map, m_features, is_kept, allowed_energy);
+      const Branch_removal removal = m_removals.best(m_cut.map(), m_cut.features(), is_kept, allowed_energy);
       if(removal.tip < 0)
         break;
       --m_solves_left;
@@ -260,27 +219,44 @@ private:
 
   bool close(const Branch_removal& removal, const Refinement_limits& limits)
   {
-    Mapped_cut former = state();
-    const bool was_tree = is_tree();
-    m_features.erase(std::remove(m_features.begin(), m_features.end(), removal.tip), m_features.end());
-    if(removal.new_tip >= 0)
-      m_features.push_back(removal.new_tip);
-    m_is_connected = false;
-    Cut cut = m_map.cut();
-    for(int e : removal.edges)
-      cut[e] = 0;
-    m_cost = cut_cost(m_constraints, cut);
-    bool is_within = map(cut, largest_energy(limits, former.chart.energy, removal.cost));
-    double cost = m_map.energy() - former.chart.energy;
+    Mapped_cut former = m_cut.state();
+    const bool was_tree = m_cut.is_tree();
+    bool is_within = m_cut.close(removal.edges, removal.tip, removal.new_tip,
+                                 largest_energy(limits, former.chart.energy, removal.cost));
+    double cost = m_cut.energy() - former.chart.energy;
     if(is_within && was_tree && !reconnect(limits) && limits.keeps_tree)
     {
       is_within = false;
-      cost = std::numeric_limits<double>::infinity();
+      cost = infinity;
     }
     m_removals.remember(removal, cost);
     if(!is_within)
-      restore(std::move(former));
+      m_cut.restore(std::move(former));
     return is_within;
+  }
+
+  // Closes the branch and opens the best slit to an end near its tip instead. False if that does not pay.
+  bool move_end(const Branch_removal& branch, const Refinement_limits& limits, int& end)
+  {
+    const auto objective = [&] { return m_cut.energy() + limits.energy_per_cost * m_cut.cost(); };
+    const double former = objective();
+    if(!m_cut.close(branch.edges, branch.tip, branch.new_tip))
+      return false;
+    const Slit slit = m_slits.best_end(m_cut.map(), branch.tip, total_length(m_mesh, branch.edges),
+                                       limits.energy_per_cost);
+    end = slit.tip;
+    if(end >= 0)
+      m_cut.open(slit);
+    return objective() < former && m_cut.energy() <= limits.energy;
+  }
+
+  // Per vertex, whether a branch that ends there stays.
+  std::vector<char> kept_tips() const
+  {
+    std::vector<char> is_kept(m_mesh.number_of_vertices(), 0);
+    for(int v : m_terminals)
+      is_kept[v] = 1;
+    return is_kept;
   }
 
   // Opens slits until more of the cut can be closed than was opened. False if no slit is left to try.
@@ -288,24 +264,24 @@ private:
   {
     constexpr int maximum_number_of_slits = 3; // that only pay together
     constexpr int number_of_attempts = 4;      // that may fail after each slit, each a solve
-    Mapped_cut former = state();
-    const bool needs_tree = limits.keeps_tree && is_tree();
+    Mapped_cut former = m_cut.state();
+    const bool needs_tree = limits.keeps_tree && m_cut.is_tree();
     bool has_slit = false;
     for(int i = 0; i < maximum_number_of_slits && m_solves_left > 0; ++i)
     {
-      const Slit slit = m_slits.best(m_map, is_kept);
+      const Slit slit = m_slits.best(m_cut.map(), is_kept);
       if(slit.tip < 0)
         break;
       has_slit = true;
       is_kept[slit.tip] = 1;
       --m_solves_left;
-      if(!open(slit))
+      if(!m_cut.open(slit))
         break;
       drop_branches(limits, number_of_attempts, is_kept);
-      if(m_cost < former.cost && m_map.energy() <= limits.energy && (!needs_tree || reconnect(limits)))
+      if(m_cut.cost() < former.cost && m_cut.energy() <= limits.energy && (!needs_tree || reconnect(limits)))
         return true;
     }
-    restore(std::move(former));
+    m_cut.restore(std::move(former));
     return has_slit;
   }
 
@@ -313,16 +289,10 @@ private:
   const Edge_constraints& m_constraints;
   const std::vector<int>& m_terminals;
   const Cutting_parameters& m_parameters;
-  Run_control& m_control;
   Slit_search m_slits;
   Branch_removal_search m_removals;
-  Incremental_parameterization m_map;
-  std::vector<int> m_features;
-  Connected_cut m_tree;
-  bool m_is_connected = false;
-  double m_cost = 0;
+  Working_cut<ConcurrencyTag> m_cut;
   int m_solves_left = 0;
-  std::vector<Trade_off> m_trade_offs;
 };
 
 } // namespace internal

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -83,7 +84,54 @@ public:
     return best;
   }
 
+  // The slit that gains most beyond its cost, of those to `tip` or to cheaper vertices within `reach` of it. The tip
+  // is -1 if none gains more than it costs.
+  Slit best_end(Incremental_parameterization& map, int tip, double reach, double energy_per_cost)
+  {
+    measure_distances(map.cut());
+    Slit best;
+    double best_value = 0;
+    for(int end : ends_around(tip, reach))
+    {
+      Slit slit = slit_from(end);
+      slit.gain = map.estimate_gain(slit.edges);
+      const double value = slit.gain - energy_per_cost * slit.cost;
+      if(value > best_value)
+      {
+        best_value = value;
+        best = std::move(slit);
+      }
+    }
+    return best;
+  }
+
 private:
+  // `tip`, and the cheapest vertices within some distances of it, each twice the one before, up to `reach`; without
+  // those on the cut.
+  std::vector<int> ends_around(int tip, double reach) const
+  {
+    constexpr int number_of_distances = 6;
+    double limit = std::ldexp(reach, 1 - number_of_distances);
+    int cheapest = tip;
+    std::vector<int> ends(1, tip);
+    Shortest_paths around(m_mesh.graph());
+    around.add_source(tip);
+    around.run([&](int v)
+    {
+      for(; around.distance(v) > limit && limit <= reach; limit *= 2)
+        ends.push_back(cheapest);
+      if(m_paths.distance(v) < m_paths.distance(cheapest))
+        cheapest = v;
+      return limit <= reach;
+    });
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    ends.erase(std::remove_if(ends.begin(), ends.end(), [this](int v) { return !is_off_cut(v); }), ends.end());
+    return ends;
+  }
+
+  bool is_off_cut(int v) const { return m_paths.distance(v) < Shortest_paths::infinity() && m_paths.last_edge(v) >= 0; }
+
   void measure_distances(const Cut& cut)
   {
     const std::vector<char> is_open = open_vertices(m_mesh, cut);

@@ -42,19 +42,25 @@ struct Refinement_goal
 template <typename ConcurrencyTag>
 void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, const Cutting_parameters& parameters)
 {
+  constexpr int number_of_branches = 2; // whose ends move
   Refinement_limits limits;
   limits.keeps_tree = goal.keeps_tree;
   limits.number_of_solves = goal.number_of_solves;
   if(has_bound(parameters))
   {
     refiner.reduce_distortion_to(goal.bound);
-    limits.energy = (std::max)(goal.bound, refiner.chart().energy);
+    limits.energy = (std::max)(goal.bound, refiner.cut().chart().energy);
   }
   else
   {
     refiner.reduce_distortion_to(goal.repair_threshold, parameters.decrease_per_cost);
-    limits.energy = refiner.chart().energy + parameters.minimum_distortion_decrease;
+    limits.energy = refiner.cut().chart().energy + parameters.minimum_distortion_decrease;
     limits.energy_per_cost = parameters.decrease_per_cost;
+    if(parameters.has_weights && goal.number_of_solves > 0)
+    {
+      refiner.open_cheap_slits(limits.energy_per_cost);
+      refiner.move_ends(limits, number_of_branches);
+    }
   }
   refiner.shorten(limits);
 }

@@ -140,9 +140,7 @@ private:
     Component_result part;
     Edge_constraints constraints = restriction(m_constraints.edges, component);
     constraints.mandatory.assign(component.edges.size(), 0); // it is on the border
-    const double cost_unit = cost_per_length(component.mesh, constraints);
-    for(double& w : constraints.weights)
-      w /= cost_unit;
+    const double cost_unit = normalize_weights(component.mesh, constraints);
     std::vector<int> terminals = inner_terminals(component, m_constraints.terminals);
     part.status = restrict_to_feasible_component(component.mesh, component.topology, terminals, constraints);
     if(!part.status)
@@ -151,6 +149,8 @@ private:
     const double diagonal = bounding_box_diagonal(component.mesh);
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
     parameters.decrease_per_cost /= diagonal;
+    if(!weights_are_lengths(component.mesh, constraints))
+      parameters.adapt_to_weights();
     const Indexed_mesh& mesh = component.mesh;
     Problem problem{mesh,
                     Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()),

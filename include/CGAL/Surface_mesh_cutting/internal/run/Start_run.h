@@ -56,10 +56,10 @@ public:
     if(!map(refiner, result))
       return result;
     // Where connecting the features loses too much, the filter's own cut is better.
-    if(refiner.chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
+    if(refiner.cut().chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
       refiner.replace_tree(std::move(detected.chart));
     refine_and_parameterize(refiner, detected.repair_threshold, result);
-    result.add(refiner.trade_offs());
+    result.add(refiner.cut().trade_offs());
     result.keep_undominated_trade_offs();
     return result;
   }
@@ -80,24 +80,24 @@ private:
       result.status = failure(m_control);
     if(!result.status)
       return false;
-    take_cut(refiner, refiner.tree().cut, result);
+    take_cut(refiner, refiner.cut().tree().cut, result);
     m_control.report(Phase::CONNECT, 1);
     return true;
   }
 
   void take_cut(const Refiner& refiner, const Cut& cut, Component_result& result) const
   {
-    const Connected_cut& tree = refiner.tree();
+    const Connected_cut& tree = refiner.cut().tree();
     result.has_cut = true;
-    result.features = refiner.features();
+    result.features = refiner.cut().features();
     std::sort(result.features.begin(), result.features.end());
     result.cut = cut;
     result.length = cut_length(m_problem.mesh, cut);
     result.cost = cut_cost(m_problem.constraints, cut);
     result.lower_bound = cut_length(m_problem.mesh, m_problem.constraints.mandatory);
-    if(refiner.is_connected())
+    if(refiner.cut().is_connected())
       result.lower_bound += tree.lower_bound;
-    result.is_optimal = refiner.is_connected() && tree.is_optimal && cut == tree.cut;
+    result.is_optimal = refiner.cut().is_connected() && tree.is_optimal && cut == tree.cut;
     result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
   }
 
@@ -128,14 +128,14 @@ private:
 
   void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const
   {
-    if(refines() || refiner.chart().energy > goal.repair_threshold)
+    if(refines() || refiner.cut().chart().energy > goal.repair_threshold)
     {
       const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
       m_control.report(Phase::REFINE, 0);
       refine(refiner, goal, m_parameters);
       m_control.report(Phase::REFINE, 1);
     }
-    take_cut(refiner, refiner.chart().cut, result);
+    take_cut(refiner, refiner.cut().chart().cut, result);
     parameterize(refiner, result);
   }
 
@@ -161,8 +161,8 @@ private:
       Refiner refiner = start;
       Component_result result = best;
       refine_and_parameterize(refiner, {target, repair_threshold, solves}, result);
-      number_of_solved_faces += double(refiner.trade_offs().size()) * m_problem.mesh.number_of_faces();
-      result.add(refiner.trade_offs());
+      number_of_solved_faces += double(refiner.cut().trade_offs().size()) * m_problem.mesh.number_of_faces();
+      result.add(refiner.cut().trade_offs());
       const bool is_kept = result.has_map && result.energy <= bound;
       (is_kept ? kept : failed) = target;
       target = kept > ideal ? (kept + failed) / 2 : lowered(target, result.energy - bound);
@@ -177,8 +177,8 @@ private:
   void parameterize(const Refiner& refiner, Component_result& result) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    result.chart = refiner.chart().chart;
-    const Newton_result newton = final_map(m_problem, refiner.chart(), m_context, result.uv);
+    result.chart = refiner.cut().chart().chart;
+    const Newton_result newton = final_map(m_problem, refiner.cut().chart(), m_context, result.uv);
     result.energy = newton.energy;
     result.has_map = newton.outcome != Newton_outcome::FAILED;
     if(!result.has_map || m_control.is_stopped())

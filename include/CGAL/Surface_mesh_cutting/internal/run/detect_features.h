@@ -80,9 +80,9 @@ void refine_features(const Problem& problem, const Context& context, Detected_fe
     constexpr bool keeps_tree = true; // only the features are handed on
     refine(refiner, {parameters.maximum_average_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
                      keeps_tree}, parameters);
-    detected.features = refiner.features();
+    detected.features = refiner.cut().features();
   }
-  detected.trade_offs.insert(detected.trade_offs.end(), refiner.trade_offs().begin(), refiner.trade_offs().end());
+  detected.trade_offs.insert(detected.trade_offs.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());
   if(context.control.is_stopped())
     detected.status = failure(context.control);
 }

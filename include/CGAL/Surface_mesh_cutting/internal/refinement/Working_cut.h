@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_WORKING_CUT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_WORKING_CUT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A cut through feature points and the map of the surface opened along it.
+struct Mapped_cut
+{
+  std::vector<int> features;
+  Connected_cut tree;
+  bool is_connected = false; // whether the tree is one through the features; it was one through earlier ones
+  double cost = 0;           // of the cut of the chart
+  Open_chart chart;
+};
+
+// A mapped cut in work: its pieces are opened and closed, and its features connected anew. Each state is a valid cut
+// with a flip-free map, and can be kept and restored.
+template <typename ConcurrencyTag>
+class Working_cut
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  // The references are kept.
+  Working_cut(const Problem& problem, const Context& context)
+    : m_problem(problem), m_control(context.control),
+      m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control)
+  {}
+
+  const std::vector<int>& features() const { return m_features; }
+  // The tree through the features, or through former ones if the run was stopped. The cut may differ from it.
+  const Connected_cut& tree() const { return m_tree; }
+  bool is_connected() const { return m_is_connected; }
+  const Open_chart& chart() const { return m_map.state(); }
+  const Cut& cut() const { return m_map.cut(); }
+  Incremental_parameterization& map() { return m_map; }
+  double cost() const { return m_cost; }
+  double energy() const { return m_map.energy(); }
+  // All cuts that were mapped.
+  const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
+
+  bool goes_on() { return !m_map.is_given_up() && m_control.go_further(); }
+  bool is_stopped() const { return m_control.is_stopped(); }
+
+  // Connects these features; the tree is not mapped yet.
+  void connect(std::vector<int> features, const CGAL::internal::Steiner_tree::Options& options)
+  {
+    m_features = std::move(features);
+    connect(options);
+  }
+
+  void connect(const CGAL::internal::Steiner_tree::Options& options)
+  {
+    m_tree = connect_terminals<ConcurrencyTag>(m_problem.mesh, m_problem.constraints, m_features, options, m_control);
+    m_is_connected = true;
+    m_cost = cut_cost(m_problem.constraints, m_tree.cut);
+  }
+
+  bool is_tree() const { return m_is_connected && m_map.cut() == m_tree.cut; }
+
+  // Maps the surface opened along the tree. False if no flip-free map was found, if the run was stopped, or if the
+  // energy is above `bound`, as soon as that is foreseeable.
+  bool map_tree(double bound) { return map_tree(bound, m_map.policy().precision); }
+  bool map_tree(double bound, double precision) { return map(m_tree.cut, bound, precision); }
+
+  // Takes another cut through the features and its map.
+  void replace(Open_chart chart)
+  {
+    m_cost = cut_cost(m_problem.constraints, chart.cut);
+    m_map.restore(std::move(chart));
+    record();
+  }
+
+  Mapped_cut state() const { return {m_features, m_tree, m_is_connected, m_cost, m_map.state()}; }
+
+  void restore(Mapped_cut state)
+  {
+    m_features = std::move(state.features);
+    m_tree = std::move(state.tree);
+    m_is_connected = state.is_connected;
+    m_cost = state.cost;
+    m_map.restore(std::move(state.chart));
+  }
+
+  // False if that did not lower the energy.
+  bool open(const Slit& slit)
+  {
+    const double before = m_map.energy();
+    m_map.open(slit.edges);
+    if(!(m_map.energy() < before))
+      return false;
+    m_features.push_back(slit.tip);
+    m_is_connected = false;
+    m_cost += slit.cost;
+    record();
+    return true;
+  }
+
+  // Closes the edges of a branch, which ends at `new_tip` then (-1: vanishes). False as for map_tree().
+  bool close(const std::vector<int>& edges, int tip, int new_tip, double bound = infinity)
+  {
+    m_features.erase(std::remove(m_features.begin(), m_features.end(), tip), m_features.end());
+    if(new_tip >= 0)
+      m_features.push_back(new_tip);
+    m_is_connected = false;
+    Cut cut = m_map.cut();
+    for(int e : edges)
+      cut[e] = 0;
+    m_cost = cut_cost(m_problem.constraints, cut);
+    return map(cut, bound, m_map.policy().precision);
+  }
+
+private:
+  bool map(const Cut& cut, double bound, double precision)
+  {
+    if(!m_map.initialize(cut, bound, precision))
+      return false;
+    record();
+    return true;
+  }
+
+  void record() { m_trade_offs.push_back({cut_length(m_problem.mesh, m_map.cut()), m_cost, m_map.energy()}); }
+
+  const Problem& m_problem;
+  Run_control& m_control;
+  Incremental_parameterization m_map;
+  std::vector<int> m_features;
+  Connected_cut m_tree;
+  bool m_is_connected = false;
+  double m_cost = 0;
+  std::vector<Trade_off> m_trade_offs;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_WORKING_CUT_H
