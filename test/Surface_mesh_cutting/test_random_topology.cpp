@@ -1,5 +1,6 @@
 // Surfaces with random handles, holes and components under random constraints: a valid result wherever
-// there is one, and a typed refusal otherwise. Whether there is one is decided by Euler's formula.
+// there is one, and a typed refusal otherwise, also where features are found on a coarser version. Whether there is a
+// result is decided by Euler's formula.
 //
 // usage: test_random_topology [seed [number of cases]]
 
@@ -294,11 +295,14 @@ int main(int argc, char** argv)
     CGAL::Random random(seed + unsigned(i));
     Case c(random);
     const bool is_feasible = Feasibility(c)();
+    // every other time on a coarser version, which knows of the constraints, too
+    const int coarse_number_of_faces = i % 2 == 0 ? 0 : int(c.mesh.number_of_faces()) / 4;
     const SMC::Unwrap_result<Mesh> result
       = SMC::unwrap<CGAL::Parallel_if_available_tag>(c.mesh, c.is_cut, c.uv,
                                                      CGAL::parameters::edge_is_constrained_map(c.must)
                                                        .edge_is_forbidden_map(c.never).edge_weight_map(c.weight)
-                                                       .vertex_is_constrained_map(c.is_terminal));
+                                                       .vertex_is_constrained_map(c.is_terminal)
+                                                       .coarse_number_of_faces(coarse_number_of_faces));
     std::string error;
     if(result)
       error = is_feasible ? find_error(c, result) : "a result where there is none";

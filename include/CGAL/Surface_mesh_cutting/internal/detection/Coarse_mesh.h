@@ -18,6 +18,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_hierarchy.h>
 
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -30,17 +31,31 @@ struct Coarse_mesh
   Indexed_mesh mesh;
   std::vector<int> vertices; // of the fine mesh
 
-  // Has about `number_of_vertices` vertices, or as many as are needed to keep the topology.
+  // Has about `number_of_vertices` vertices, or as many as are needed to keep the topology, and the kept ones.
   // O(n log n).
-  Coarse_mesh(const Indexed_mesh& fine, int number_of_vertices)
+  Coarse_mesh(const Indexed_mesh& fine, int number_of_vertices, const std::vector<int>& kept)
   {
     using Surface_mesh_parameterization::internal::Chart_hierarchy;
     const Corner_table chart(fine.triangles(), fine.opposites(), fine.number_of_vertices());
     Chart_hierarchy hierarchy(chart, fine.points());
-    hierarchy.coarsen(number_of_vertices);
+    std::vector<char> is_kept(fine.number_of_vertices(), 0);
+    for(int v : kept)
+      is_kept[v] = 1;
+    hierarchy.coarsen(number_of_vertices + int(kept.size()), is_kept);
     Chart_hierarchy::Stage stage = hierarchy.stage();
     mesh = Indexed_mesh(std::move(stage.points), stage.chart.triangles(), stage.chart.opposites());
     vertices = std::move(stage.vertices);
+  }
+
+  // The vertices that stand for these ones of the fine mesh, which were kept.
+  std::vector<int> find(const std::vector<int>& fine_vertices) const
+  {
+    const std::set<int> wanted(fine_vertices.begin(), fine_vertices.end());
+    std::vector<int> found;
+    for(int v = 0; v < int(vertices.size()); ++v)
+      if(wanted.count(vertices[v]) > 0)
+        found.push_back(v);
+    return found;
   }
 };
 

@@ -79,10 +79,10 @@ inline std::vector<double> coarse_weights(const Indexed_mesh& fine, const Edge_c
   return weights;
 }
 
-// The constraints of a surface without mandatory edges on its coarser version. Where what they leave there does not
+// The constraints of a surface without mandatory edges on its coarser version with the given terminals. Where what they leave there does not
 // suffice to cut it to a disk, what is forbidden is left to the surface itself.
 inline Edge_constraints coarse_constraints(const Indexed_mesh& fine, const Edge_constraints& constraints,
-                                           const Coarse_mesh& coarse)
+                                           const Coarse_mesh& coarse, const std::vector<int>& terminals)
 {
   Edge_constraints result = unconstrained(coarse.mesh);
   const bool has_forbidden_edges = std::any_of(constraints.weights.begin(), constraints.weights.end(), [](double w)
@@ -93,7 +93,7 @@ inline Edge_constraints coarse_constraints(const Indexed_mesh& fine, const Edge_
   whole.weights = coarse_weights(fine, constraints, coarse);
   const Corner_table chart = make_chart(coarse.mesh, whole.mandatory);
   const Topology topology = topologies(chart, Connected_parts(chart.opposites())).front();
-  return restrict_to_feasible_component(coarse.mesh, topology, {}, whole) ? whole : result;
+  return restrict_to_feasible_component(coarse.mesh, topology, terminals, whole) ? whole : result;
 }
 
 } // namespace internal

@@ -100,8 +100,7 @@ inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, c
   return result;
 }
 
-// Terminals do not matter here; unreachable features are removed when lifted. Also refines here, where that is
-// cheap.
+// Unreachable features are removed when lifted. Also refines here, where that is cheap.
 template <typename ConcurrencyTag>
 Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start, const Context& context)
 {
@@ -109,10 +108,12 @@ Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start,
   const Coarse_mesh coarse = [&]
   {
     const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
-    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2);
+    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals);
   }();
+  const std::vector<int> terminals = coarse.find(fine.terminals);
   Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
-                  coarse_constraints(fine.mesh, fine.constraints, coarse), {}, Initial_cut(), fine.is_sphere};
+                  coarse_constraints(fine.mesh, fine.constraints, coarse, terminals), terminals,
+                  Initial_cut(), fine.is_sphere};
   Detected_features detected;
   detected.status = cut_handles_of(problem, context);
   if(!detected.status)

@@ -43,11 +43,12 @@ public:
       m_minimal_edge(minimal_edge(chart.triangles(), points))
   {}
 
-  // Collapses down to about `size` vertices. Returns the number of vertices that are left.
-  int coarsen(int size)
+  // Collapses down to about `size` vertices; those with `is_kept` (empty: none) stay. Returns the number of vertices
+  // that are left.
+  int coarsen(int size, const std::vector<char>& is_kept = {})
   {
     Chart_simplification simplification(m_chart, m_points, m_keeps_region);
-    simplification.reduce_to(size);
+    simplification.reduce_to(size, is_kept);
     m_number_of_vertices = simplification.number_of_vertices();
     return m_number_of_vertices;
   }

@@ -81,13 +81,16 @@ public:
 
   int number_of_vertices() const { return m_number_of_vertices; }
 
-  // Collapses until at most `target` vertices are left or none can go. O(n log n).
-  void reduce_to(int target)
+  // Collapses until at most `target` vertices are left or none can go; those with `is_kept` (empty: none) stay.
+  // O(n log n).
+  void reduce_to(int target, const std::vector<char>& is_kept = {})
   {
     while(m_number_of_vertices > target && !m_queue.empty())
     {
       const int v = m_queue.top().second;
       m_queue.pop();
+      if(!is_kept.empty() && is_kept[v])
+        continue;
       if(m_is_stale[v]) // its neighborhood has changed since it was queued
       {
         push(v);
