@@ -92,12 +92,13 @@ public:
     return best;
   }
 
-  // The whole branch that costs most, of those without mandatory edges and with another tip than at `is_kept`.
+  // The whole branch that costs most, of those without mandatory edges and with another tip than at `is_kept`, where
+  // branches end in any case.
   Branch_removal most_expensive(const Cut& cut, const std::vector<char>& is_kept) const
   {
     const std::size_t open_edges = number_of_open_edges(cut);
     Branch_removal best;
-    for(const Leaf_branch& branch : leaf_branches(m_mesh, cut, std::vector<char>(m_mesh.number_of_vertices(), 0)))
+    for(const Leaf_branch& branch : leaf_branches(m_mesh, cut, is_kept))
     {
       const std::size_t size = branch.edges.size();
       if(is_kept[branch.vertices.front()] || number_of_free_edges(branch) < size || open_edges < size + 2)

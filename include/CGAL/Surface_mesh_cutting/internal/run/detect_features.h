@@ -131,9 +131,14 @@ Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start,
 template <typename ConcurrencyTag>
 Detected_features detect_features(const Problem& problem, int start, const Context& context)
 {
-  return is_coarsened(problem, context.parameters)
-         ? detect_features_on_coarse_mesh<ConcurrencyTag>(problem, start, context)
-         : Feature_detector<ConcurrencyTag>(problem, context).run(start);
+  if(is_coarsened(problem, context.parameters))
+  {
+    Detected_features detected = detect_features_on_coarse_mesh<ConcurrencyTag>(problem, start, context);
+    const std::size_t enough = problem.is_sphere ? 2 : 0; // a tree of one point opens nothing
+    if(!detected.status || detected.features.size() >= enough)
+      return detected;
+  }
+  return Feature_detector<ConcurrencyTag>(problem, context).run(start);
 }
 
 } // namespace internal
