@@ -144,10 +144,7 @@ private:
                 {
                   const int e = m_paths.last_edge(v);
                   if(e >= 0)
-                  {
-                    const int h = m_mesh.halfedge(e), former = m_mesh.source(h) == v ? m_mesh.target(h) : m_mesh.source(h);
-                    m_lengths[v] = m_lengths[former] + m_mesh.length(e);
-                  }
+                    m_lengths[v] = m_lengths[m_paths.predecessor(v)] + m_mesh.length(e);
                   return true;
                 },
                 [this](int a) { return m_constraints.weights[m_mesh.graph().arcs[a].edge]; });
