@@ -28,7 +28,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // A connected component of a mesh as a mesh of its own, without isolated vertices, and the indices
-// that its elements have in the whole. The order of the elements is kept.
+// that its elements have in the whole. The order of the elements is kept unless the component is large.
 struct Indexed_component
 {
   Indexed_mesh mesh;
@@ -70,18 +70,34 @@ private:
   }
 };
 
-// The component that consists of `faces`. The last two arrays are work space with an entry for each
-// vertex and halfedge of the whole; their contents do not matter.
+// Meshes of so many faces outgrow the caches. Then neighbors should be close in memory: searches and solves take a
+// third to a half of the time that they need for elements in a random order.
+constexpr int number_of_faces_beyond_caches = 1 << 16;
+
+// The faces that can be reached from a face across edges, in the order of a breadth-first search.
+inline std::vector<int> faces_around(const Indexed_mesh& mesh, int face, std::vector<char>& is_seen)
+{
+  std::vector<int> faces(1, face);
+  is_seen[face] = 1;
+  for(std::size_t next = 0; next < faces.size(); ++next)
+    for(int h = 3 * faces[next]; h < 3 * faces[next] + 3; ++h)
+      if(!mesh.is_border(h) && !std::exchange(is_seen[mesh.opposite(h) / 3], char(1)))
+        faces.push_back(mesh.opposite(h) / 3);
+  return faces;
+}
+
+// The component that consists of `faces`, in this order. `new_vertex` and `new_halfedge` are work space with an entry
+// for each vertex and halfedge of the whole; those of the vertices are -1, before and after.
 inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<int> faces,
                                         std::vector<int>& new_vertex, std::vector<int>& new_halfedge)
 {
   Indexed_component component;
   for(int f : faces)
     for(int v : whole.triangles()[f])
-      component.vertices.push_back(v);
-  std::sort(component.vertices.begin(), component.vertices.end());
-  component.vertices.erase(std::unique(component.vertices.begin(), component.vertices.end()),
-                           component.vertices.end());
+      if(std::exchange(new_vertex[v], 0) < 0)
+        component.vertices.push_back(v);
+  if(int(faces.size()) <= number_of_faces_beyond_caches)
+    std::sort(component.vertices.begin(), component.vertices.end());
   std::vector<Point> points;
   for(int v : component.vertices)
   {
@@ -98,18 +114,21 @@ inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<i
     const Triangle& t = whole.triangles()[f];
     triangles.push_back({new_vertex[t[0]], new_vertex[t[1]], new_vertex[t[2]]});
     for(int h = 3 * f; h < 3 * f + 3; ++h)
-    {
       opposites.push_back(whole.is_border(h) ? -1 : new_halfedge[whole.opposite(h)]);
-      if(whole.halfedge(whole.edge(h)) == h)
-        component.edges.push_back(whole.edge(h));
-    }
   }
   component.mesh = Indexed_mesh(std::move(points), std::move(triangles), std::move(opposites));
+  for(int e = 0; e < component.mesh.number_of_edges(); ++e)
+  {
+    const int h = component.mesh.halfedge(e);
+    component.edges.push_back(whole.edge(3 * faces[h / 3] + h % 3));
+  }
+  for(int v : component.vertices)
+    new_vertex[v] = -1;
   component.faces = std::move(faces);
   return component;
 }
 
-// The components in the order of their lowest faces. A connected mesh without isolated vertices is
+// The components in the order of their lowest faces. A small connected mesh without isolated vertices is
 // moved. O(n log n).
 inline std::vector<Indexed_component> split_into_components(Indexed_mesh whole)
 {
@@ -127,7 +146,7 @@ inline std::vector<Indexed_component> split_into_components(Indexed_mesh whole)
     has_isolated_vertex = has_isolated_vertex || whole.is_isolated(v);
 
   std::vector<Indexed_component> components;
-  if(parts.number == 1 && !has_isolated_vertex)
+  if(parts.number == 1 && !has_isolated_vertex && whole.number_of_faces() <= number_of_faces_beyond_caches)
   {
     components.resize(1);
     Indexed_component& c = components.front();
@@ -142,10 +161,13 @@ inline std::vector<Indexed_component> split_into_components(Indexed_mesh whole)
   std::vector<std::vector<int> > faces(parts.number);
   for(int f = 0; f < whole.number_of_faces(); ++f)
     faces[parts.part[f]].push_back(f);
-  std::vector<int> new_vertex(whole.number_of_vertices());
+  std::vector<int> new_vertex(whole.number_of_vertices(), -1);
   std::vector<int> new_halfedge(whole.number_of_halfedges());
+  std::vector<char> is_seen(whole.number_of_faces(), 0);
   for(int i = 0; i < parts.number; ++i)
   {
+    if(int(faces[i].size()) > number_of_faces_beyond_caches)
+      faces[i] = faces_around(whole, faces[i].front(), is_seen);
     components.push_back(make_component(whole, std::move(faces[i]), new_vertex, new_halfedge));
     components.back().topology = topology[i];
   }

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +42,7 @@ class Bounded_instance
   double m_lower_bound = 0.;
   bool m_is_optimal = false;
   int m_last_root = -1, m_best_root = 0;
+  std::unique_ptr<const Dual_ascent> m_dual; // the last one, if it is one of the present instance
 
 public:
   // A tree is optimal if none is shorter by more than this part of its length; larger than rounding errors.
@@ -96,11 +98,12 @@ public:
   }
 
   // the pruned dynamic program; false if it was stopped
+  template <typename ConcurrencyTag>
   bool search(std::size_t maximum_number_of_states, const Go_further& go_further)
   {
     const std::size_t k = terminals().size();
-    return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1>(maximum_number_of_states, go_further)
-           : k <= Terminal_set<4>::capacity ? search_with_sets_of<4>(maximum_number_of_states, go_further)
+    return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1, ConcurrencyTag>(maximum_number_of_states, go_further)
+           : k <= Terminal_set<4>::capacity ? search_with_sets_of<4, ConcurrencyTag>(maximum_number_of_states, go_further)
                                             : false;
   }
 
@@ -117,7 +120,8 @@ private:
   void reduce_from_next_root(const Go_further& go_further)
   {
     const int root = ++m_last_root;
-    const Dual_ascent dual(graph(), terminals(), root % int(terminals().size()), go_further);
+    m_dual.reset(new Dual_ascent(graph(), terminals(), root % int(terminals().size()), go_further));
+    const Dual_ascent& dual = *m_dual;
     const double fixed = fixed_length();
     if(fixed + dual.bound() > m_lower_bound) {
       m_lower_bound = fixed + dual.bound();
@@ -135,13 +139,23 @@ private:
       is_removed[e] = fixed + bounds[e] > cut();
     if(m_lower_bound > cut() || !are_terminals_connected(is_removed))
       m_is_optimal = true;
-    else
+    else if(is_worthwhile(is_removed))
       remove(is_removed, go_further);
+  }
+
+  // Large graphs are not made anew for a few edges; then the dual solution serves the search, too.
+  bool is_worthwhile(const std::vector<char>& is_removed) const
+  {
+    constexpr int large_size = 100000;       // edges
+    constexpr double worthwhile_share = 0.2; // of them
+    return graph().number_of_edges() < large_size ||
+           double(std::count(is_removed.begin(), is_removed.end(), char(1))) >= worthwhile_share * graph().number_of_edges();
   }
 
   void remove(const std::vector<char>& is_removed, const Go_further& go_further)
   {
     m_instance = Degree_reduction(m_instance, is_removed, go_further).instance();
+    m_dual.reset();
     if(terminals().size() > 1)
       return;
     improve(Tree{{}, 0.});
@@ -159,14 +173,15 @@ private:
     });
   }
 
-  template <int Words>
+  template <int Words, typename ConcurrencyTag>
   bool search_with_sets_of(std::size_t maximum_number_of_states, const Go_further& go_further)
   {
-    const Dual_ascent dual(graph(), terminals(), m_best_root % int(terminals().size()), go_further);
-    const Completion_bound<Words> bound(dual);
+    if(!m_dual)
+      m_dual.reset(new Dual_ascent(graph(), terminals(), m_best_root % int(terminals().size()), go_further));
+    const Completion_bound<Words> bound(*m_dual);
     Pruned_dynamic_programme<Words> programme(graph(), terminals(), bound, cut() - fixed_length(),
                                               maximum_number_of_states);
-    m_is_optimal = programme.run(go_further);
+    m_is_optimal = programme.template run<ConcurrencyTag>(go_further);
     if(programme.has_found_tree())
       improve(programme.tree());
     return m_is_optimal;

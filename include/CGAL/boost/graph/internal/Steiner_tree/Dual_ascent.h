@@ -12,12 +12,14 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -52,6 +54,47 @@ public:
   };
 
 private:
+  // The sets of a group are nested, so the share of a vertex is what the group gains from when it entered; that is
+  // recorded once, and interiors need no update while their sets grow.
+  class Recorded_shares
+  {
+    struct Entry
+    {
+      int vertex;
+      int group;
+      double value; // of the group when the vertex entered
+      int next;     // of the same vertex
+    };
+
+    std::vector<int> m_last; // entry of each vertex
+    std::vector<Entry> m_entries;
+
+  public:
+    explicit Recorded_shares(int number_of_vertices) : m_last(number_of_vertices, -1) {}
+
+    // keeps the first one for each vertex and group
+    void add(int v, int group, double value)
+    {
+      for(int i = m_last[v]; i >= 0; i = m_entries[i].next)
+        if(m_entries[i].group == group)
+          return;
+      m_entries.push_back(Entry{v, group, value, m_last[v]});
+      m_last[v] = int(m_entries.size()) - 1;
+    }
+
+    void sort_into(const std::vector<Group>& groups, std::vector<int>& offsets, std::vector<Share>& shares) const
+    {
+      offsets.assign(m_last.size() + 1, 0);
+      for(const Entry& e : m_entries)
+        ++offsets[e.vertex + 1];
+      std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+      std::vector<int> next(offsets.begin(), offsets.end() - 1);
+      shares.resize(m_entries.size());
+      for(const Entry& e : m_entries)
+        shares[next[e.vertex]++] = Share{e.group, groups[e.group].value - e.value};
+    }
+  };
+
   const Csr_graph* m_graph;
   std::vector<int> m_terminals;
   int m_root; // position among the terminals
@@ -59,7 +102,8 @@ private:
   std::vector<double> m_entering; // for arc i in the row of v: reduced weight of the arc that enters v along its edge
   std::vector<int> m_opposite;
   std::vector<Group> m_groups;
-  std::vector<std::vector<Share>> m_shares;
+  std::vector<int> m_share_offsets; // rows of the vertices
+  std::vector<Share> m_shares;
 
 public:
   // raises the sets around the terminals, the smallest first, until all are reached from the root along arcs of
@@ -70,7 +114,6 @@ public:
     , m_terminals(terminals)
     , m_root(root)
     , m_opposite(graph.opposite_arcs())
-    , m_shares(graph.number_of_vertices())
   {
     m_entering.reserve(graph.arcs.size());
     for(const Csr_graph::Arc& arc : graph.arcs)
@@ -81,7 +124,10 @@ public:
   int root() const { return m_root; }
   double bound() const { return m_bound; }
   const std::vector<Group>& groups() const { return m_groups; }
-  const std::vector<Share>& shares(int v) const { return m_shares[v]; }
+  Iterator_range<const Share*> shares(int v) const
+  {
+    return CGAL::make_range(m_shares.data() + m_share_offsets[v], m_shares.data() + m_share_offsets[v + 1]);
+  }
 
   // reduced weight of the arc that enters (leaves) v along the i-th arc, which is in the row of v
   double entering_weight(int i) const { return m_entering[i]; }
@@ -136,6 +182,39 @@ private:
     }
   };
 
+  // A set that grows: what arcs of reduced weight zero join to its terminal already, and what a search reaches next.
+  struct Growth
+  {
+    Shortest_paths paths;
+    std::vector<char> is_inside;
+    std::vector<int> inside;  // in the order of the search
+    std::vector<int> reached; // outside, in the order of their distances
+    std::vector<int> members; // positions of the terminals
+
+    explicit Growth(const Csr_graph& graph) : paths(graph), is_inside(graph.number_of_vertices(), 0) {}
+
+    double distance(int v) const { return is_inside[v] ? 0. : paths.distance(v); }
+    int size() const { return int(inside.size() + reached.size()); }
+
+    void clear()
+    {
+      for(int v : inside)
+        is_inside[v] = 0;
+      inside.clear();
+      reached.clear();
+      members.clear();
+      paths.clear();
+    }
+
+    void enclose(int v)
+    {
+      if(!is_inside[v]) {
+        is_inside[v] = 1;
+        inside.push_back(v);
+      }
+    }
+  };
+
   void ascend(const Go_further& go_further)
   {
     const int k = int(m_terminals.size());
@@ -148,76 +227,104 @@ private:
       if(i != m_root)
         active.insert(std::make_pair(1, i));
     }
-    Shortest_paths paths(*m_graph);
+    Growth growth(*m_graph);
+    Recorded_shares recorded(m_graph->number_of_vertices());
     std::map<std::vector<int>, int> group_index;
-    std::vector<int> settled, members;
     while(!active.empty() && go_further()) {
       const int size = active.begin()->first, grown = active.begin()->second;
       active.erase(active.begin());
       // growing beyond the size of the next set by a factor keeps the total cost in proportion to the final sizes
       const double limit = active.empty() ? double(m_graph->number_of_vertices())
                                           : 2. * (std::max)(size, active.begin()->first);
-
-      // growing a set continuously is a search by reduced weights towards the terminal
-      int met = grown;
-      double radius = 0.;
-      paths.clear();
-      paths.add_source(m_terminals[grown]);
-      settled.clear();
-      members.clear();
-      paths.run([&](int v) {
-        radius = paths.distance(v);
-        const int p = position[v];
-        if(p >= 0) {
-          met = leaders.find(p);
-          if(met != grown || radius > 0.)
-            return false;
-          members.push_back(p);
-        }
-        if(radius > 0. && double(settled.size()) >= limit)
-          return false;
-        settled.push_back(v);
-        return true;
-      }, [this](int i) { return m_entering[i]; });
-
-      if(radius > 0.) {
-        std::sort(members.begin(), members.end());
-        const auto found = group_index.insert(std::make_pair(members, int(m_groups.size())));
+      growth.clear();
+      growth.enclose(m_terminals[grown]);
+      int met = collect_inside(growth, position, leaders, grown);
+      if(met == grown) {
+        double radius = 0.;
+        met = grow(growth, position, leaders, grown, limit, radius);
+        std::sort(growth.members.begin(), growth.members.end());
+        const auto found = group_index.insert(std::make_pair(growth.members, int(m_groups.size())));
         if(found.second)
-          m_groups.push_back(Group{members, 0.});
-        raise(paths, settled, radius, found.first->second);
+          m_groups.push_back(Group{growth.members, 0.});
+        raise(growth, radius, found.first->second, recorded);
       }
       if(met != grown)
         leaders.leader[grown] = met;
       else
-        active.insert(std::make_pair(int(settled.size()), grown));
+        active.insert(std::make_pair(growth.size(), grown));
     }
+    recorded.sort_into(m_groups, m_share_offsets, m_shares);
+  }
+
+  // the vertices that reach the terminal by arcs of reduced weight zero; ends early at a terminal of another leader,
+  // which it returns, else `grown`
+  int collect_inside(Growth& growth, const std::vector<int>& position, Leaders& leaders, int grown) const
+  {
+    for(std::size_t next = 0; next < growth.inside.size(); ++next) {
+      const int v = growth.inside[next], p = position[v];
+      if(p >= 0) {
+        if(leaders.find(p) != grown)
+          return leaders.find(p);
+        growth.members.push_back(p);
+      }
+      for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i)
+        if(m_entering[i] == 0.)
+          growth.enclose(m_graph->arcs[i].target);
+    }
+    return grown;
+  }
+
+  // Growing a set continuously is a search by reduced weights towards the terminal: up to the next terminal, whose
+  // leader it returns, or as far as `limit` vertices. `radius` is how far it came.
+  int grow(Growth& growth, const std::vector<int>& position, Leaders& leaders, int grown, double limit,
+           double& radius) const
+  {
+    for(int v : growth.inside)
+      for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i)
+        if(!growth.is_inside[m_graph->arcs[i].target])
+          growth.paths.add_source(m_graph->arcs[i].target, m_entering[i]);
+    int met = grown;
+    growth.paths.run([&](int v) {
+      if(growth.is_inside[v])
+        return true;
+      radius = growth.paths.distance(v);
+      if(position[v] >= 0)
+        met = leaders.find(position[v]);
+      if(position[v] >= 0 || double(growth.size()) >= limit)
+        return false;
+      growth.reached.push_back(v);
+      return true;
+    }, [this](int i) { return m_entering[i]; });
+    return met;
   }
 
   // gives the sets {v : distance(v) < x}, 0 < x < radius, their values
-  void raise(const Shortest_paths& paths, const std::vector<int>& settled, double radius, int group)
+  void raise(const Growth& growth, double radius, int group, Recorded_shares& recorded)
   {
+    const double former = m_groups[group].value;
     m_bound += radius;
     m_groups[group].value += radius;
-    for(int v : settled) {
-      const double distance = paths.distance(v);
-      if(!(distance < radius))
-        continue;
-      std::vector<Share>& shares = m_shares[v];
-      auto share = std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.group == group; });
-      if(share == shares.end())
-        share = shares.insert(shares.end(), Share{group, 0.});
-      share->value += radius - distance;
+    const auto lower_entering_weights = [&](int v) {
+      const double distance = growth.distance(v);
       for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i) {
         const Csr_graph::Arc& arc = m_graph->arcs[i];
-        const double decrease = (std::min)(radius, paths.distance(arc.target)) - distance;
+        const double decrease = (std::min)(radius, growth.distance(arc.target)) - distance;
         if(decrease > 0.) {
           m_entering[i] -= decrease;
           if(m_entering[i] < 1e-13 * arc.weight) // rounding
             m_entering[i] = 0.;
         }
       }
+    };
+    for(int v : growth.inside) {
+      recorded.add(v, group, former);
+      lower_entering_weights(v);
     }
+    for(int v : growth.reached)
+      if(growth.distance(v) < radius) {
+        recorded.add(v, group, former + growth.distance(v));
+        lower_entering_weights(v);
+      }
   }
 };
 

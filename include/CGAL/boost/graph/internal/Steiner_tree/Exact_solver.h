@@ -13,6 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_EXACT_SOLVER_H
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Bounded_instance.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/corridor_tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 
 #include <algorithm>
@@ -40,19 +41,25 @@ public:
     : m_maximum_number_of_states(maximum_number_of_states), m_go_further(go_further), m_instance(graph, terminals)
   {
     m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));
-    if(!m_instance.reduce(1, 0., m_go_further) || !m_go_further())
-      return;
-    search_locally();
+    if(graph.number_of_vertices() > large_number_of_vertices)
+      m_instance.improve(corridor_tree<ConcurrencyTag>(graph, terminals, tree(), maximum_number_of_states / corridor_divisor, go_further));
+    else {
+      if(!m_instance.reduce(1, 0., m_go_further) || !m_go_further())
+        return;
+      search_locally();
+    }
     // The program with few states first. As often as these do not suffice, the same effort once more for the
     // bounds on both sides pays before it gets four times as many.
     if(!m_instance.reduce(1, quick_ratio, m_go_further))
       return;
+    const std::size_t first = (std::max)(minimum_number_of_states,
+                                         minimum_number_of_states_per_edge * m_instance.graph().number_of_edges());
     std::size_t divisor = 1;
-    while(m_maximum_number_of_states / divisor / 4 >= minimum_number_of_states)
+    while(m_maximum_number_of_states / divisor / 4 >= first)
       divisor *= 4;
     for(; m_go_further(); divisor /= 4) {
       const std::size_t states = m_maximum_number_of_states / divisor;
-      if(m_instance.search(states, m_go_further))
+      if(m_instance.template search<ConcurrencyTag>(states, m_go_further))
         return;
       recombine(double(states));
       if(divisor == 1 || !m_instance.reduce(number_of_rounds(states), slow_ratio, m_go_further))
@@ -65,7 +72,11 @@ public:
   bool is_optimal() const { return m_instance.is_optimal(); }
 
 private:
-  static constexpr std::size_t minimum_number_of_states = 500000; // of the first run of the program
+  // of the first run of the program
+  static constexpr std::size_t minimum_number_of_states = 500000, minimum_number_of_states_per_edge = 8;
+  // Local search keeps distances to all vertices for each terminal; on large graphs it costs more than all the rest.
+  static constexpr int large_number_of_vertices = 16384;
+  static constexpr std::size_t corridor_divisor = 16; // corridors get this part of the states
   static constexpr int batch_size = 2; // unions of more trees are seldom solved with few states
   // Reductions go on while a round leaves at most this part of the edges: little is done before the first run
   // of the program, nearly all there is to do before runs with many states.
@@ -118,7 +129,7 @@ private:
       if((i + 1) % batch_size == 0 || i + 1 == number_of_trials) {
         Bounded_instance part(graph, terminals, is_unused, best, m_go_further);
         if(part.reduce(2, part_ratio, m_go_further))
-          part.search(std::size_t(effort / effort_per_part), m_go_further);
+          part.template search<ConcurrencyTag>(std::size_t(effort / effort_per_part), m_go_further);
         best = part.tree();
         is_unused.assign(graph.number_of_edges(), 1);
         for(int e : best.edges)

@@ -12,16 +12,17 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Set_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree_states.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <memory>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-using Graph_kernel::Distance_heap;
+using Graph_kernel::for_each_index;
 
 // The program of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
 // d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging
@@ -56,7 +57,11 @@ class Pruned_dynamic_programme
   using State = Tree_states::State;
   using Merge = Tree_states::Merge;
   using Target = Tree_states::Target;
+  using Search = Set_search<Words>;
+  using Searches = std::vector<std::unique_ptr<Search>>; // made when they are needed
   static constexpr int from_terminal = Tree_states::from_terminal;
+  static constexpr int number_of_searches = 4;   // at once; each keeps some arrays of the size of the graph
+  static constexpr std::size_t batch_size = 16; // sets between two merges: work for all searches, little of it lost
 
   // looking at so many labels counts as a state, so that the number of states bounds the time, too
   static constexpr std::size_t labels_per_state = 512;
@@ -97,12 +102,6 @@ class Pruned_dynamic_programme
   int m_best_vertex = -1; // the best complete tree: tables with a state at this vertex
   std::vector<int> m_best_tables;
 
-  // of the set that is being sent
-  std::vector<double> m_lengths, m_completions;
-  std::vector<int> m_origins, m_touched, m_positions;
-  std::vector<char> m_is_other_terminal;
-  Separator m_separator;
-
 public:
   Pruned_dynamic_programme(const Csr_graph& graph, const std::vector<int>& terminals,
                            const Completion_bound<Words>& bound, double cut, std::size_t maximum_number_of_states)
@@ -114,15 +113,11 @@ public:
     , m_remaining_states(maximum_number_of_states)
     , m_tables_by_size(terminals.size() + 1)
     , m_labels(graph.number_of_vertices())
-    , m_lengths(graph.number_of_vertices(), infinity())
-    , m_completions(graph.number_of_vertices())
-    , m_origins(graph.number_of_vertices())
-    , m_positions(graph.number_of_vertices(), -1)
-    , m_is_other_terminal(graph.number_of_vertices(), 0)
-    , m_separator(graph)
   {}
 
-  // false if it was stopped by the budget or by `go_further`
+  // False if it was stopped by the budget or by `go_further`. Sets of one size do not depend on each other: a batch of
+  // them is sent at once, by so many searches as are given, and then merged one after the other.
+  template <typename ConcurrencyTag>
   bool run(const Go_further& go_further)
   {
     for(int i = 0; i < int(m_terminals.size()); ++i) {
@@ -130,15 +125,21 @@ public:
       single.insert(i);
       m_tables[table_of(single)].initial.push_back(State{m_terminals[i], from_terminal, 0.});
     }
-    for(std::size_t size = 1; size <= m_terminals.size() / 2; ++size)
-      for(std::size_t i = 0; i < m_tables_by_size[size].size(); ++i) {
-        if(!m_is_complete || !go_further())
-          return false;
-        const int table = m_tables_by_size[size][i];
-        send(table);
-        merge(table, go_further);
-        complete(table);
+    Searches searches(std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? number_of_searches : 1);
+    for(std::size_t size = 1; size <= m_terminals.size() / 2; ++size) {
+      const std::vector<int> tables = m_tables_by_size[size]; // merging makes only larger sets
+      for(std::size_t first = 0; first < tables.size(); first += batch_size) {
+        const std::size_t last = (std::min)(first + batch_size, tables.size());
+        send<ConcurrencyTag>(std::vector<int>(tables.begin() + first, tables.begin() + last), searches);
+        for(std::size_t i = first; i < last; ++i) {
+          count_states(m_tables[tables[i]].states.size());
+          if(!m_is_complete || !go_further())
+            return false;
+          merge(tables[i], go_further);
+          complete(tables[i]);
+        }
       }
+    }
     return m_is_complete;
   }
 
@@ -153,8 +154,6 @@ public:
   }
 
 private:
-  static double infinity() { return (std::numeric_limits<double>::infinity)(); }
-
   int table_of(const Set& set)
   {
     const auto found = m_table_of_set.insert(std::make_pair(set, int(m_tables.size())));
@@ -173,62 +172,18 @@ private:
       m_remaining_states -= number;
   }
 
-  // computes the lengths from the initial states (Dijkstra) and prunes by rules 2 and 3
-  void send(int index)
+  template <typename ConcurrencyTag>
+  void send(const std::vector<int>& batch, Searches& searches)
   {
-    Table& table = m_tables[index];
-    const Set rest = m_all.without(table.set);
-    std::vector<int> others;
-    for(int i = 0; i < int(m_terminals.size()); ++i)
-      if(rest.contains(i))
-        others.push_back(m_terminals[i]);
-    for(int t : others)
-      m_is_other_terminal[t] = 1;
-    Distance_heap heap(m_lengths, m_positions);
-    double limit = infinity(); // rule 3, seen from a single other terminal
-    const auto relax = [&](int v, double length, int origin) {
-      if(!(length < m_lengths[v]))
-        return;
-      if(m_lengths[v] == infinity()) {
-        m_touched.push_back(v);
-        m_completions[v] = m_bound(v, rest, table.base);
+    for_each_index<ConcurrencyTag>(int(searches.size()), [&](int s) {
+      for(std::size_t i = s; i < batch.size(); i += searches.size()) {
+        if(!searches[s])
+          searches[s].reset(new Search(m_graph, m_terminals, m_bound));
+        Table& table = m_tables[batch[i]];
+        table.states = (*searches[s])(m_all.without(table.set), table.base, m_cut, table.initial);
+        std::vector<State>().swap(table.initial);
       }
-      m_lengths[v] = length;
-      m_origins[v] = origin;
-      if(m_is_other_terminal[v])
-        limit = (std::min)(limit, length);
-      if(length + m_completions[v] <= m_cut)
-        heap.push_or_update(v);
-    };
-    for(const State& s : table.initial)
-      relax(s.vertex, s.length, s.origin);
-    while(!heap.empty()) {
-      const double length = m_lengths[heap.top()];
-      if(length > limit)
-        break;
-      const int v = heap.extract_top();
-      table.states.push_back(State{v, m_origins[v], length});
-      if(m_is_other_terminal[v])
-        continue;
-      for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i)
-        relax(m_graph.arcs[i].target, length + m_graph.arcs[i].weight, m_graph.arcs[i].edge);
-    }
-    std::vector<State>().swap(table.initial);
-
-    if(!table.states.empty()) {
-      limit = (std::min)(limit, m_separator(m_lengths, m_touched, others));
-      while(!table.states.empty() && table.states.back().length > limit)
-        table.states.pop_back();
-    }
-    for(int v : m_touched) {
-      m_lengths[v] = infinity();
-      m_positions[v] = -1;
-    }
-    m_touched.clear();
-    for(int t : others)
-      m_is_other_terminal[t] = 0;
-    Tree_states::sort_by_vertex(table.states);
-    count_states(table.states.size());
+    });
   }
 
   // merges the states of a table with those of the earlier tables at the same vertices. The larger part of rule 1

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SET_SEARCH_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SET_SEARCH_H
+
+#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree_states.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Steiner_tree {
+
+using Graph_kernel::Distance_heap;
+
+// Sends the states of one set of terminals along the edges: Dijkstra's algorithm, pruned by rules 2 and 3 of
+// `Pruned_dynamic_programme`. Nothing is left behind between two sets but the memory.
+template <int Words>
+class Set_search
+{
+  using Set = Terminal_set<Words>;
+  using State = Tree_states::State;
+
+  const Csr_graph& m_graph;
+  const std::vector<int>& m_terminals;
+  const Completion_bound<Words>& m_bound;
+  std::vector<double> m_lengths, m_completions;
+  std::vector<int> m_origins, m_touched, m_positions;
+  std::vector<char> m_is_other_terminal;
+  Separator m_separator;
+
+public:
+  // The references are kept.
+  Set_search(const Csr_graph& graph, const std::vector<int>& terminals, const Completion_bound<Words>& bound)
+    : m_graph(graph)
+    , m_terminals(terminals)
+    , m_bound(bound)
+    , m_lengths(graph.number_of_vertices(), infinity())
+    , m_completions(graph.number_of_vertices())
+    , m_origins(graph.number_of_vertices())
+    , m_positions(graph.number_of_vertices(), -1)
+    , m_is_other_terminal(graph.number_of_vertices(), 0)
+    , m_separator(graph)
+  {}
+
+  // The states that the initial ones lead to, by vertex. `rest`: the terminals outside the set, `base`: their part of
+  // the completion bound.
+  std::vector<State> operator()(const Set& rest, double base, double cut, const std::vector<State>& initial)
+  {
+    std::vector<int> others;
+    for(int i = 0; i < int(m_terminals.size()); ++i)
+      if(rest.contains(i))
+        others.push_back(m_terminals[i]);
+    for(int t : others)
+      m_is_other_terminal[t] = 1;
+    std::vector<State> states;
+    double limit = search(rest, base, cut, initial, states);
+    if(!states.empty()) {
+      limit = (std::min)(limit, m_separator(m_lengths, m_touched, others));
+      while(!states.empty() && states.back().length > limit)
+        states.pop_back();
+    }
+    for(int v : m_touched) {
+      m_lengths[v] = infinity();
+      m_positions[v] = -1;
+    }
+    m_touched.clear();
+    for(int t : others)
+      m_is_other_terminal[t] = 0;
+    Tree_states::sort_by_vertex(states);
+    return states;
+  }
+
+private:
+  static double infinity() { return (std::numeric_limits<double>::infinity)(); }
+
+  // appends states by increasing length; returns the limit of rule 3 as a single other terminal sees it
+  double search(const Set& rest, double base, double cut, const std::vector<State>& initial, std::vector<State>& states)
+  {
+    Distance_heap heap(m_lengths, m_positions);
+    double limit = infinity();
+    const auto relax = [&](int v, double length, int origin) {
+      if(!(length < m_lengths[v]))
+        return;
+      if(m_lengths[v] == infinity()) {
+        m_touched.push_back(v);
+        m_completions[v] = m_bound(v, rest, base);
+      }
+      m_lengths[v] = length;
+      m_origins[v] = origin;
+      if(m_is_other_terminal[v])
+        limit = (std::min)(limit, length);
+      if(length + m_completions[v] <= cut)
+        heap.push_or_update(v);
+    };
+    for(const State& s : initial)
+      relax(s.vertex, s.length, s.origin);
+    while(!heap.empty()) {
+      const double length = m_lengths[heap.top()];
+      if(length > limit)
+        break;
+      const int v = heap.extract_top();
+      states.push_back(State{v, m_origins[v], length});
+      if(m_is_other_terminal[v])
+        continue;
+      for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i)
+        relax(m_graph.arcs[i].target, length + m_graph.arcs[i].weight, m_graph.arcs[i].edge);
+    }
+    return limit;
+  }
+};
+
+} // namespace Steiner_tree
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SET_SEARCH_H
