@@ -18,6 +18,16 @@ int main()
     check_all_methods(graph, terminals, shortest_tree_length(graph, terminals));
   }
 
+  // so large that good trees are looked for in corridors first
+  for(double noise : {0., 0.5, 0.9}) {
+    const Core::Csr_graph graph = grid_graph(150, 130, noise, random);
+    const std::vector<int> terminals = random_terminals(graph.number_of_vertices(), 6, random);
+    const Core::Solution exact = solve(graph, terminals, Core::Method::exact);
+    CHECK(exact.is_optimal);
+    check_tree(graph, terminals, exact.tree);
+    CHECK(are_equal(exact.tree.length, shortest_tree_length(graph, terminals)));
+  }
+
   for(int k : {12, 20, 30}) {
     const Core::Csr_graph graph = grid_graph(30, 20, 0.9, random);
     const std::vector<int> terminals = random_terminals(graph.number_of_vertices(), k, random);

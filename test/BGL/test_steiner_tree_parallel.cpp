@@ -19,20 +19,27 @@ std::vector<std::vector<int>> trees(const Core::Csr_graph& graph, const std::vec
   return result;
 }
 
+void check(const Core::Csr_graph& graph, const std::vector<int>& terminals)
+{
+  const std::vector<std::vector<int>> expected = trees<CGAL::Sequential_tag>(graph, terminals);
+  CHECK(trees<CGAL::Sequential_tag>(graph, terminals) == expected);
+#ifdef CGAL_LINKED_WITH_TBB
+  for(std::size_t number_of_threads : {1, 2, 3, 8}) {
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+    CHECK(trees<CGAL::Parallel_tag>(graph, terminals) == expected);
+  }
+#endif
+}
+
 int main()
 {
   CGAL::Random random(3);
   for(double noise : {0., 0.9}) {
     const Core::Csr_graph graph = grid_graph(60, 50, noise, random);
-    const std::vector<int> terminals = random_terminals(graph.number_of_vertices(), 12, random);
-    const std::vector<std::vector<int>> expected = trees<CGAL::Sequential_tag>(graph, terminals);
-    CHECK(trees<CGAL::Sequential_tag>(graph, terminals) == expected);
-#ifdef CGAL_LINKED_WITH_TBB
-    for(std::size_t number_of_threads : {1, 2, 3, 8}) {
-      tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-      CHECK(trees<CGAL::Parallel_tag>(graph, terminals) == expected);
-    }
-#endif
+    check(graph, random_terminals(graph.number_of_vertices(), 12, random));
   }
+  // so large that trees are looked for in corridors
+  const Core::Csr_graph graph = grid_graph(150, 120, 0.9, random);
+  check(graph, random_terminals(graph.number_of_vertices(), 5, random));
   return EXIT_SUCCESS;
 }
