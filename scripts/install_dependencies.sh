@@ -19,7 +19,7 @@ for purpose in "$@"; do
     sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
-    ci)    wanted+=(clang) ;;
+    ci)    wanted+=(clang ninja-build) ;;
     *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;
   esac
 done

@@ -1,0 +1,74 @@
+# Headers of other projects, parsed once for many sources. A source is given a set only if it includes all of the
+# set anyway, itself or through our own headers; so what compiles with the set includes what it needs.
+# (ccache caches what uses them with CCACHE_SLOPPINESS=pch_defines,time_macros.)
+
+# From small to large: the last set that fits is taken.
+set(precompiled_sets graph numbers parameters predicates solvers surface cutting cutting_of_surface)
+set(precompiled_graph
+  boost/graph/graph_traits.hpp boost/property_map/property_map.hpp boost/graph/detail/d_ary_heap.hpp)
+set(precompiled_numbers Eigen/Core)
+set(precompiled_parameters ${precompiled_numbers} boost/graph/graph_traits.hpp CGAL/Named_function_parameters.h)
+set(precompiled_predicates ${precompiled_numbers} CGAL/Exact_predicates_inexact_constructions_kernel.h)
+set(precompiled_solvers ${precompiled_predicates} Eigen/SparseCore)
+set(precompiled_surface ${precompiled_predicates} CGAL/Simple_cartesian.h CGAL/Surface_mesh.h)
+set(precompiled_cutting ${precompiled_solvers} ${precompiled_graph} boost/graph/dijkstra_shortest_paths.hpp
+  boost/graph/kruskal_min_spanning_tree.hpp CGAL/Named_function_parameters.h CGAL/boost/graph/helpers.h)
+set(precompiled_cutting_of_surface ${precompiled_cutting} ${precompiled_surface}
+  CGAL/Constrained_Delaunay_triangulation_2.h)
+
+# foreign_headers(FILE RESULT): what its lines of #include reach, whatever #if stands around them
+function(foreign_headers file result)
+  get_property(is_known GLOBAL PROPERTY "foreign_headers_of_${file}" SET)
+  if(NOT is_known)
+    get_filename_component(folder "${file}" DIRECTORY)
+    set(headers "")
+    file(STRINGS "${file}" lines REGEX "^ *# *include +[<\"]")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^ *# *include +[<\"]([^>\"]+).*" "\\1" header "${line}")
+      set(further "${header}")
+      foreach(own IN ITEMS "${PROJECT_SOURCE_DIR}/include/${header}" "${folder}/${header}")
+        if(EXISTS "${own}")
+          foreign_headers("${own}" further)
+          break()
+        endif()
+      endforeach()
+      list(APPEND headers ${further})
+    endforeach()
+    list(REMOVE_DUPLICATES headers)
+    set_property(GLOBAL PROPERTY "foreign_headers_of_${file}" "${headers}")
+  endif()
+  get_property(headers GLOBAL PROPERTY "foreign_headers_of_${file}")
+  set(${result} "${headers}" PARENT_SCOPE)
+endfunction()
+
+# precompiled_set_for(FILE RESULT): its name, or nothing
+function(precompiled_set_for file result)
+  foreign_headers("${file}" reached)
+  set(${result} "" PARENT_SCOPE)
+  foreach(name IN LISTS precompiled_sets)
+    set(missing ${precompiled_${name}})
+    list(REMOVE_ITEM missing ${reached})
+    if(NOT missing)
+      set(${result} "${name}" PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# precompile_headers_of(FOLDER): for all programs of a single source in it
+function(precompile_headers_of folder)
+  get_directory_property(extension DIRECTORY "${folder}" DEFINITION CMAKE_PCH_EXTENSION)
+  if(NOT extension STREQUAL CMAKE_PCH_EXTENSION)
+    return() # its project() found a compiler for C that is of another kind
+  endif()
+  get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE")
+      get_target_property(source ${target} SOURCES)
+      precompiled_set_for("${source}" name)
+      if(name)
+        target_precompile_headers(${target} REUSE_FROM precompiled_${name})
+      endif()
+    endif()
+  endforeach()
+endfunction()
