@@ -1,6 +1,6 @@
 // What weights and forbidden edges do to cuts: each mesh is unwrapped without and with them.
 //
-//   weighted_cuts front|visibility|sky|forbidden FOLDER [MESH_FILE...]
+//   weighted_cuts front|visibility|sky|viewers|forbidden FOLDER [MESH_FILE...]
 //
 // For each mesh, or each of those named, one line: length of the cut and what is to be avoided, both over the bounding
 // box diagonal; energy; seconds of processor time; first without, then with constraints. To be avoided is, with
@@ -8,6 +8,7 @@
 //   front       the cost, where edges in the front half of the mesh, along its shortest axis, cost ten times their length;
 //   visibility  the length times the share of the view from outside in which it is seen, by rays of its own;
 //   sky         the same, seen from above only (y is up);
+//   viewers     the same, seen from the front only, along the shortest axis;
 //   forbidden   the length of the cut in the third of the vertices that is lowest along the longest axis, whose edges
 //               are forbidden.
 //
@@ -151,11 +152,24 @@ std::vector<double> avoid_view(const Mesh& mesh, Weights weights)
   return seen_lengths(mesh, std::nullopt);
 }
 
+std::vector<double> avoid_view_from(const Vector_3& direction, const Mesh& mesh, Weights weights)
+{
+  const int number_of_rays = 64;
+  const double smallest_factor = 0.1;
+  SMC::visibility_weights(mesh, weights, number_of_rays, smallest_factor, CGAL::parameters::up_direction(direction));
+  return seen_lengths(mesh, direction);
+}
+
 std::vector<double> avoid_sky(const Mesh& mesh, Weights weights)
 {
-  const Vector_3 up(0, 1, 0);
-  SMC::visibility_weights(mesh, weights, 64, 0.2, CGAL::parameters::up_direction(up));
-  return seen_lengths(mesh, up);
+  return avoid_view_from(Vector_3(0, 1, 0), mesh, weights);
+}
+
+std::vector<double> avoid_viewers(const Mesh& mesh, Weights weights)
+{
+  std::array<double, 3> front = {0, 0, 0};
+  front[axes_by_extent(mesh).front()] = 1;
+  return avoid_view_from(Vector_3(front[0], front[1], front[2]), mesh, weights);
 }
 
 std::vector<double> avoid_lowest_third(const Mesh& mesh, Weights weights)
@@ -217,11 +231,11 @@ std::ostream& operator<<(std::ostream& out, const Measurement& m)
 int main(int argc, char** argv)
 {
   const std::map<std::string, Task> tasks = {{"front", avoid_front}, {"visibility", avoid_view}, {"sky", avoid_sky},
-                                             {"forbidden", avoid_lowest_third}};
+                                             {"viewers", avoid_viewers}, {"forbidden", avoid_lowest_third}};
   const auto task = tasks.find(argc > 1 ? argv[1] : "");
   if(task == tasks.end())
   {
-    std::cerr << argv[0] << " front|visibility|sky|forbidden FOLDER [MESH_FILE...]\n";
+    std::cerr << argv[0] << " front|visibility|sky|viewers|forbidden FOLDER [MESH_FILE...]\n";
     return EXIT_FAILURE;
   }
   Means without, with;
