@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -116,10 +117,16 @@ Soup nested_spheres()
   return outer;
 }
 
-template <typename Mesh>
-void test_visibility()
+Soup inside_out(Soup soup)
 {
-  const Soup soup = nested_spheres();
+  for(std::vector<std::size_t>& f : soup.faces)
+    std::reverse(f.begin(), f.end());
+  return soup;
+}
+
+template <typename Mesh>
+void test_visibility(const Soup& soup)
+{
   const Mesh mesh = test::make_mesh<Mesh>(soup);
   const Weights<Mesh> weights = make_weights(mesh), other_weights = make_weights(mesh);
   assert(SMC::visibility_weights(mesh, weights, 32, 0.5));
@@ -235,8 +242,9 @@ void test_huge_weights()
 int main()
 {
   test_creases();
-  test_visibility<Surface_mesh>();
-  test_visibility<Polyhedron>();
+  test_visibility<Surface_mesh>(nested_spheres());
+  test_visibility<Surface_mesh>(inside_out(nested_spheres()));
+  test_visibility<Polyhedron>(nested_spheres());
   test_torus();
   test_refused();
   test_stopped();

@@ -23,7 +23,7 @@ using Kind = Weight_choice::Kind;
 using Weights = Mesh::Property_map<Edge, double>;
 using Paint = Mesh::Property_map<Vertex, double>;
 
-constexpr double smallest_factor = 0.2;
+constexpr double smallest_factor = 0.2, smallest_visibility_factor = 0.1;
 
 // What is never cut stays so, also where another file has zero.
 double product(double weight, double factor)
@@ -69,7 +69,7 @@ template <typename NamedParameters>
 void multiply_by_visibility(const Mesh& mesh, Weights weights, const NamedParameters& view)
 {
   constexpr int number_of_rays = 64;
-  SMC::visibility_weights<CGAL::Parallel_if_available_tag>(mesh, weights, number_of_rays, smallest_factor,
+  SMC::visibility_weights<CGAL::Parallel_if_available_tag>(mesh, weights, number_of_rays, smallest_visibility_factor,
                                                            view.edge_weight_map(weights).visitor(Stop_visitor()));
 }
 

@@ -85,7 +85,9 @@ inline Indexed_status check_view(const View& view)
 ///
 /// The weight of an edge is its length times a factor: `smallest_factor` where the surface fills the
 /// whole view from the middle of the edge, 1 where it blocks none of it, and in between linear in the
-/// free part of the view. Random rays sample the view, on the side of the surface that its normals point to.
+/// free part of the view. The smallest factor is thus what a hidden cut costs against one in full view: the smaller, the
+/// longer cuts become to stay hidden. Random rays sample the view, on the side of the surface that its normals point to;
+/// closed parts are looked at from outside even if they are oriented inward.
 ///
 /// By default, the view is the hemisphere around the normal of the edge, weighted by the cosine of the
 /// angle with it. Two named parameters give other views: `up_direction` the same hemisphere for all edges, like a dome
@@ -157,7 +159,7 @@ inline Indexed_status check_view(const View& view)
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
-                                        int number_of_rays = 64, double smallest_factor = 0.2,
+                                        int number_of_rays = 64, double smallest_factor = 0.1,
                                         const NamedParameters& np = parameters::default_values())
 {
   const internal::View view = internal::read_view(number_of_rays, np);

@@ -79,15 +79,13 @@ inline std::vector<double> coarse_weights(const Indexed_mesh& fine, const Edge_c
   return weights;
 }
 
-// The constraints of a surface without mandatory edges on its coarser version with the given terminals. Where what they leave there does not
-// suffice to cut it to a disk, what is forbidden is left to the surface itself.
+// The constraints of a surface without mandatory edges on its coarser version with the given terminals. Where what
+// they leave there does not suffice to cut it to a disk, what is forbidden is left to the surface itself.
 inline Edge_constraints coarse_constraints(const Indexed_mesh& fine, const Edge_constraints& constraints,
                                            const Coarse_mesh& coarse, const std::vector<int>& terminals)
 {
   Edge_constraints result = unconstrained(coarse.mesh);
-  const bool has_forbidden_edges = std::any_of(constraints.weights.begin(), constraints.weights.end(), [](double w)
-                                               { return w == std::numeric_limits<double>::infinity(); });
-  if(!has_forbidden_edges && weights_are_lengths(fine, constraints))
+  if(forbidden_edges(fine, constraints).empty() && weights_are_lengths(fine, constraints))
     return result;
   Edge_constraints whole = result;
   whole.weights = coarse_weights(fine, constraints, coarse);

@@ -109,6 +109,15 @@ inline bool weights_are_lengths(const Indexed_mesh& mesh, const Edge_constraints
   return true;
 }
 
+inline std::vector<int> forbidden_edges(const Indexed_mesh& mesh, const Edge_constraints& constraints)
+{
+  std::vector<int> forbidden;
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(!mesh.is_border_edge(e) && constraints.is_forbidden(e))
+      forbidden.push_back(e);
+  return forbidden;
+}
+
 // The edges that may be cut.
 inline Cut allowed_edges(const Indexed_mesh& mesh, const Edge_constraints& constraints)
 {
@@ -162,6 +171,9 @@ template <typename IsPossible>
 Indexed_status check_forbidden_edges(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                      IsPossible is_possible, const std::string& message)
 {
+  const std::vector<int> forbidden = forbidden_edges(mesh, constraints);
+  if(forbidden.empty()) // each part is a triangle
+    return Indexed_status();
   const Corner_table chart = make_chart(mesh, allowed_edges(mesh, constraints));
   const Connected_parts parts(chart.opposites());
   const std::vector<Topology> topology = topologies(chart, parts);
@@ -169,9 +181,8 @@ Indexed_status check_forbidden_edges(const Indexed_mesh& mesh, const Edge_constr
   if(bad == topology.end())
     return Indexed_status();
   std::vector<int> edges;
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    if(!mesh.is_border_edge(e) && constraints.is_forbidden(e) &&
-       parts.part[mesh.halfedge(e) / 3] == bad - topology.begin())
+  for(int e : forbidden)
+    if(parts.part[mesh.halfedge(e) / 3] == bad - topology.begin())
       edges.push_back(e);
   return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, message, Element_kind::EDGE,
                         std::move(edges));
@@ -189,15 +200,20 @@ inline Indexed_status check_handles_can_be_cut(const Indexed_mesh& mesh,
   return status;
 }
 
-// Whether the constraints leave a way to cut the surface to disks.
+// Whether the constraints leave a way to cut the surface to disks, which have no handles: those are named if they are
+// in the way.
 inline Indexed_status check_disks_can_be_reached(const Indexed_mesh& mesh,
                                                  const Edge_constraints& constraints)
 {
-  Indexed_status status = check_handles_can_be_cut(mesh, constraints);
+  Indexed_status status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
+  if(!status)
+    return status;
+  status = check_forbidden_edges(mesh, constraints, [](const Topology& t) { return t.is_disk(); },
+                                 "forbidden edges keep a part from becoming a disk");
   if(status)
-    status = check_forbidden_edges(mesh, constraints, [](const Topology& t) { return t.is_disk(); },
-                                   "forbidden edges keep a part from becoming a disk");
-  return status;
+    return status;
+  const Indexed_status handles = check_handles_can_be_cut(mesh, constraints);
+  return handles ? status : handles;
 }
 
 } // namespace internal

@@ -16,10 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
-#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/parts_inside_out.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-
 
 #include <algorithm>
 #include <array>
@@ -84,34 +82,6 @@ inline std::vector<int> coincident_vertices(const Indexed_mesh& mesh)
       vertices.push_back(order[i]);
   std::sort(vertices.begin(), vertices.end());
   return vertices;
-}
-
-// A face of each closed part that is oriented inward. O(n).
-inline std::vector<int> faces_of_parts_inside_out(const Indexed_mesh& mesh)
-{
-  // A volume this small against the area is rounding, or no inside at all.
-  constexpr double smallest_volume = 1e-9;
-  const Surface_mesh_parameterization::internal::Connected_parts parts(mesh.opposites());
-  struct Part { int face = -1; bool is_closed = true; double volume = 0, area = 0; };
-  std::vector<Part> sums(parts.number);
-  for(int f = 0; f < mesh.number_of_faces(); ++f)
-  {
-    Part& part = sums[parts.part[f]];
-    if(part.face < 0)
-      part.face = f;
-    const Point& origin = mesh.point(mesh.source(3 * part.face));
-    const Triangle& t = mesh.triangles()[f];
-    const Point a = mesh.point(t[0]) - origin, b = mesh.point(t[1]) - origin, c = mesh.point(t[2]) - origin;
-    part.volume += a.dot(Surface_mesh_parameterization::internal::cross_product(b, c)) / 6;
-    part.area += mesh.face_area(f);
-    for(int h = 3 * f; h < 3 * f + 3; ++h)
-      part.is_closed = part.is_closed && !mesh.is_border(h);
-  }
-  std::vector<int> faces;
-  for(const Part& part : sums)
-    if(part.is_closed && part.volume < -smallest_volume * std::pow(part.area, 1.5))
-      faces.push_back(part.face);
-  return faces;
 }
 
 // What is unusual about a mesh, though handled: why a result may look odd, or take long.

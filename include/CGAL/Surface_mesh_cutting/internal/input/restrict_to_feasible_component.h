@@ -109,10 +109,7 @@ private:
 inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, const Topology& topology,
                                    const std::vector<int>& terminals, Edge_constraints& constraints)
 {
-  std::vector<int> forbidden;
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    if(!mesh.is_border_edge(e) && constraints.is_forbidden(e))
-      forbidden.push_back(e);
+  std::vector<int> forbidden = forbidden_edges(mesh, constraints);
   if(forbidden.empty())
     return Indexed_status();
 

@@ -37,12 +37,21 @@ struct Refinement_goal
   bool keeps_tree = false; // see `Refinement_limits`
 };
 
+// Where edges have weights, cheap slits make room for the loss of expensive branches, whose ends move.
+template <typename ConcurrencyTag>
+void use_cheap_places(Cut_refiner<ConcurrencyTag>& refiner, Refinement_limits limits, double energy_per_cost)
+{
+  constexpr int number_of_branches = 2; // whose ends move
+  limits.energy_per_cost = energy_per_cost;
+  refiner.open_cheap_slits(energy_per_cost);
+  refiner.move_ends(limits, number_of_branches);
+}
+
 // Lowers the energy to the bound if there is one, then shortens. Without a bound, what the tree
 // through the features loses against the filter's cut, or a given one, is gained back where it pays.
 template <typename ConcurrencyTag>
 void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, const Cutting_parameters& parameters)
 {
-  constexpr int number_of_branches = 2; // whose ends move
   Refinement_limits limits;
   limits.keeps_tree = goal.keeps_tree;
   limits.number_of_solves = goal.number_of_solves;
@@ -56,12 +65,9 @@ void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, c
     refiner.reduce_distortion_to(goal.repair_threshold, parameters.decrease_per_cost);
     limits.energy = refiner.cut().chart().energy + parameters.minimum_distortion_decrease;
     limits.energy_per_cost = parameters.decrease_per_cost;
-    if(parameters.has_weights && goal.number_of_solves > 0)
-    {
-      refiner.open_cheap_slits(limits.energy_per_cost);
-      refiner.move_ends(limits, number_of_branches);
-    }
   }
+  if(parameters.has_weights && goal.number_of_solves > 0)
+    use_cheap_places(refiner, limits, parameters.decrease_per_cost);
   refiner.shorten(limits);
 }
 

@@ -286,6 +286,13 @@ private:
   void measure(const Map_measures& measures, Mesh_result& result) const
   {
     const Map_measures::Energies energies = measures.energies(result.uv);
+    if(!std::isfinite(energies.average))
+    {
+      result.has_result = false;
+      result.status.finding = Finding{Status_code::NUMERICAL_FAILURE, "the surface has (nearly) no area",
+                                      Element_kind::NONE, {}};
+      return;
+    }
     result.average_energy = energies.average;
     result.maximum_energy = energies.maximum;
     for(Trade_off& t : result.trade_offs) // the result is one of them

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/flatness.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/parts_inside_out.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 
 #include <CGAL/AABB_tree.h>
@@ -57,8 +58,9 @@ class Visibility
 public:
   // O(n log n). The same directions, relative to the axis of the view, serve all edges.
   Visibility(const Indexed_mesh& mesh, const View& view)
-    : m_mesh(mesh), m_axis(view.axis.stableNormalized()), m_radius(view.radius * bounding_box_diagonal(mesh)),
-      m_directions(random_directions(view)), m_triangles(proper_triangles(mesh)), m_tree(m_triangles.begin(), m_triangles.end())
+    : m_mesh(mesh), m_is_inside_out(inside_out(mesh)), m_axis(view.axis.stableNormalized()), m_radius(view.radius * bounding_box_diagonal(mesh)),
+      m_directions(random_directions(view)), m_triangles(proper_triangles(mesh)),
+      m_tree(m_triangles.begin(), m_triangles.end())
   {
     m_tree.build();
   }
@@ -68,9 +70,9 @@ public:
   double operator()(int e) const
   {
     const int h = m_mesh.halfedge(e);
-    Eigen::Vector3d normal = unit_normal(m_mesh, h / 3);
+    Eigen::Vector3d normal = outward_normal(h / 3);
     if(!m_mesh.is_border(h))
-      normal += unit_normal(m_mesh, m_mesh.opposite(h) / 3);
+      normal += outward_normal(m_mesh.opposite(h) / 3);
     normal = normal.stableNormalized();
     if(normal.isZero())
       return 1;
@@ -87,6 +89,9 @@ public:
   }
 
 private:
+  // Of a closed part, whichever way its faces are oriented; otherwise as they are.
+  Eigen::Vector3d outward_normal(int f) const { return (m_is_inside_out[f] ? -1. : 1.) * unit_normal(m_mesh, f); }
+
   // Around the third axis.
   static std::vector<Eigen::Vector3d> random_directions(const View& view)
   {
@@ -128,6 +133,7 @@ private:
   }
 
   const Indexed_mesh& m_mesh;
+  const std::vector<char> m_is_inside_out; // per face
   const Eigen::Vector3d m_axis; // zero for the normals of the edges
   const double m_radius;
   const std::vector<Eigen::Vector3d> m_directions;
