@@ -3,8 +3,7 @@
 //   handles [FOLDER [MESH_FILE...]]
 //
 // For each mesh with handles, or each of those named, one line: the length of the loops over the
-// bounding box diagonal; the same for a search from all vertices, without tolerance, for each loop
-// (on meshes of up to 5000 vertices), and the ratio; the time; and, for genus up to 5, the time on
+// bounding box diagonal; the same without tolerance (on meshes of up to 5000 vertices), and the ratio; the time; and, for genus up to 5, the time on
 // the mesh divided evenly into at least 100,000 triangles.
 
 #include "mesh_files.h"
@@ -21,7 +20,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -55,24 +53,10 @@ Surface_mesh subdivided(Surface_mesh mesh, std::size_t number_of_faces)
   return mesh;
 }
 
-// The greedy choice with a shortest loop in each step, all nodes being tried as roots.
+// The greedy choice with a shortest loop in each step.
 double exhaustive_length(const Indexed_mesh& mesh)
 {
-  Cut cut(mesh.number_of_edges(), 0);
-  for(;;)
-  {
-    const Corner_table chart = make_chart(mesh, cut);
-    const Contracted_surface surface(chart, [&](int h) { return mesh.length(mesh.edge(h)); });
-    const Tree_cotree tree_cotree(chart, surface);
-    if(tree_cotree.generators().empty())
-      return cut_length(mesh, cut);
-    std::vector<int> roots(surface.graph.number_of_vertices());
-    std::iota(roots.begin(), roots.end(), 0);
-    Shortest_loop shortest_loop(surface, tree_cotree, 0.);
-    shortest_loop.search(roots);
-    for(int e : shortest_loop.loop().edges)
-      cut[mesh.edge(surface.halfedges[e])] = 1;
-  }
+  return cut_length(mesh, cut_handles(mesh, unconstrained(mesh), always_go_further, 0.).cut);
 }
 
 double seconds_to_cut(const Surface_mesh& mesh, SMC::Handles_result<Surface_mesh>& result)

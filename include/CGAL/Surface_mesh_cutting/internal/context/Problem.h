@@ -29,7 +29,7 @@ namespace internal {
 using Surface_mesh_parameterization::internal::Rest_shape;
 
 // A connected surface at one resolution and what its cut has to satisfy. Some cut does (`restrict_to_feasible_component()`); what
-// is mandatory are the loops that cut the handles.
+// is mandatory are the loops that cut the handles, or, where there are many, a whole cut to one disk.
 struct Problem
 {
   const Indexed_mesh& mesh;
@@ -38,6 +38,7 @@ struct Problem
   std::vector<int> terminals;
   Initial_cut initial;
   bool is_sphere;
+  bool is_opened = false; // to a disk, by what is mandatory
 };
 
 } // namespace internal

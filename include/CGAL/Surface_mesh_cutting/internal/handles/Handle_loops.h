@@ -20,7 +20,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
-#include <CGAL/Surface_mesh_cutting/internal/handles/Shortest_loop.h>
+#include <CGAL/Surface_mesh_cutting/internal/handles/Growing_opening.h>
+#include <CGAL/Surface_mesh_cutting/internal/handles/Short_loop_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Tree_cotree.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
@@ -28,8 +29,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,111 +54,83 @@ struct Handle_loops
   Cut cut;
 };
 
-// Completes a cycle of the contracted surface to a closed walk: where it enters a border loop at
-// one vertex and leaves it at another one, it follows the border the shorter way round.
-class Loop_closing
+// Completes a cycle to a closed walk: where it enters a border loop at one vertex and leaves it at another one, it
+// follows the border the shorter way round.
+inline std::vector<Directed_edge> closed_walk(const Indexed_mesh& mesh, const Growing_opening& surface,
+                                              const std::vector<int>& cycle)
 {
-public:
-  Loop_closing(const Indexed_mesh& mesh, const Corner_table& chart, const Contracted_surface& surface)
-    : m_mesh(mesh), m_chart(chart), m_surface(surface)
-  {}
-
-  std::vector<Directed_edge> operator()(const Loop& loop) const
+  const auto length = [&](int h) { return mesh.length(mesh.edge(h)); };
+  std::vector<Directed_edge> walk;
+  int end = surface.chart().target(cycle.back());
+  for(int h : cycle)
   {
-    std::vector<Directed_edge> walk;
-    int node = loop.start, end = -1;
-    for(int e : loop.edges)
-    {
-      const int h = m_surface.halfedges[e];
-      const Directed_edge step{h, m_surface.nodes[m_chart.source(h)] == node};
-      if(end >= 0)
-        follow_border(end, source(step), walk);
-      walk.push_back(step);
-      end = target(step);
-      node = m_surface.nodes[end];
-    }
-    follow_border(end, source(walk.front()), walk);
-    return walk;
+    for(const auto& [border, is_forward] : surface.along_border(end, surface.chart().source(h), length))
+      walk.push_back({border, is_forward});
+    walk.push_back({h, true});
+    end = surface.chart().target(h);
   }
+  return walk;
+}
 
-private:
-  int source(Directed_edge e) const
-  {
-    return e.is_forward ? m_chart.source(e.halfedge) : m_chart.target(e.halfedge);
-  }
-  int target(Directed_edge e) const { return source({e.halfedge, !e.is_forward}); }
+// Of the graph that a `Growing_opening` starts with: the nodes of a cut graph and the border loops.
+inline std::vector<int> roots_of_loops(const Growing_opening& surface, const Contracted_surface& contracted,
+                                       const Tree_cotree& tree_cotree)
+{
+  std::vector<char> is_root(contracted.graph.number_of_vertices(), 0);
+  std::fill_n(is_root.begin(), contracted.border_loops.size(), char(1));
+  for(int node : tree_cotree.cut_graph_nodes())
+    is_root[node] = 1;
+  std::vector<int> roots;
+  for(int v = 0; v < surface.number_of_vertices(); ++v)
+    if(surface.node(v) == v && is_root[contracted.nodes[v]])
+      roots.push_back(v);
+  return roots;
+}
 
-  void follow_border(int from, int to, std::vector<Directed_edge>& walk) const
-  {
-    if(from == to)
-      return;
-    std::vector<int> loop = m_surface.border_loops[m_surface.nodes[from]];
-    const auto halfedge_from = [&](int v)
-    {
-      return std::find_if(loop.begin(), loop.end(), [&](int h) { return m_chart.source(h) == v; });
-    };
-    std::rotate(loop.begin(), halfedge_from(from), loop.end());
-    const auto middle = halfedge_from(to);
-    if(length(loop.begin(), middle) <= length(middle, loop.end()))
-      for(auto it = loop.begin(); it != middle; ++it)
-        walk.push_back({*it, true});
-    else
-      for(auto it = loop.end(); it != middle; --it)
-        walk.push_back({*std::prev(it), false});
-  }
-
-  template <typename Iterator>
-  double length(Iterator begin, Iterator end) const
-  {
-    double sum = 0;
-    for(; begin != end; ++begin)
-      sum += m_mesh.length(m_mesh.edge(*begin));
-    return sum;
-  }
-
-  const Indexed_mesh& m_mesh;
-  const Corner_table& m_chart;
-  const Contracted_surface& m_surface;
-};
+inline int total_genus(const Corner_table& chart)
+{
+  int genus = 0;
+  for(const Topology& t : topologies(chart, Connected_parts(chart.opposites())))
+    genus += t.genus();
+  return genus;
+}
 
 // Finds loops after which each part that the mandatory cut leaves is as connected as before and has
 // genus 0. They are chosen one after the other, each close to the shortest that the former ones
 // leave. Several loops may meet and overlap, as they must on coarse meshes with many handles.
-// Each is longer by at most `tolerance`, relative, than the shortest. O(g (n log n + g n) + s), where s is the total
-// size of the balls searched. `go_further` is asked before each loop.
+// Each is longer by at most `tolerance`, relative, than the shortest. O(n log n + s), where s is the total size of the
+// balls searched, for each 192 handles. `go_further` is asked before each loop.
 inline Handle_loops cut_handles(const Indexed_mesh& mesh, const Edge_constraints& constraints,
-                                const Go_further& go_further = always_go_further, double tolerance = 0.05)
+                                const Go_further& go_further = always_go_further, double tolerance = 0.02)
 {
   Handle_loops result{check_handles_can_be_cut(mesh, constraints), {}, constraints.mandatory};
   if(!result.status)
     return result;
+  const auto weight = [&](int h) { return constraints.weights[mesh.edge(h)]; };
   Corner_table chart = make_chart(mesh, result.cut);
   CGAL_postcondition_code(const int number_of_parts = Connected_parts(chart.opposites()).number;)
-  for(;;)
+  for(int remaining = total_genus(chart); remaining > 0;)
   {
-    const Contracted_surface surface(chart,
-                                     [&](int h) { return constraints.weights[mesh.edge(h)]; });
-    const Tree_cotree tree_cotree(chart, surface);
-    if(tree_cotree.generators().empty())
-      break;
-    if(!go_further())
+    const Contracted_surface contracted(chart, weight);
+    const Tree_cotree tree_cotree(chart, contracted, (unsigned int)remaining);
+    Growing_opening surface(chart, tree_cotree);
+    Short_loop_search search(surface, weight, roots_of_loops(surface, contracted, tree_cotree), tolerance);
+    for(int i = (std::min)(remaining, tree_cotree.number_of_loops()); i > 0; --i, --remaining)
     {
-      result.status = stopped_status();
-      return result;
+      if(!go_further())
+      {
+        result.status = stopped_status();
+        return result;
+      }
+      const Short_loop loop = search.find();
+      CGAL_assertion(!loop.halfedges.empty()); // a surface with handles has one
+      result.loops.push_back(closed_walk(mesh, surface, loop.halfedges));
+      for(int h : loop.halfedges)
+        result.cut[mesh.edge(h)] = 1;
+      search.open(loop);
     }
-    Shortest_loop shortest_loop(surface, tree_cotree, tolerance);
-    shortest_loop.search(tree_cotree.cut_graph_nodes());
-    const Loop& loop = shortest_loop.loop();
-    result.loops.push_back(Loop_closing(mesh, chart, surface)(loop));
-    std::vector<int> halfedges;
-    for(int e : loop.edges)
-    {
-      halfedges.push_back(surface.halfedges[e]);
-      result.cut[mesh.edge(halfedges.back())] = 1;
-    }
-    chart.open(halfedges);
   }
-  // by Euler's formula, a part without generators has genus 0
+  CGAL_postcondition(total_genus(chart) == 0);
   CGAL_postcondition(Connected_parts(chart.opposites()).number == number_of_parts);
   return result;
 }

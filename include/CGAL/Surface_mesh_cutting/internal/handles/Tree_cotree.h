@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/handles/Homology_class.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Contracted_surface.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
@@ -22,7 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -38,20 +39,22 @@ using CGAL::internal::Graph_kernel::Shortest_paths;
 // together are a cut graph: their complement is a disk in each part of the surface.
 //
 // Each generator closes a loop in the dual forest. Which of these loops cross an edge is the
-// signature of the edge, a set of 2g bits; the exclusive or over a cycle tells its homology class
-// over Z_2. A simple cycle separates the surface iff that is zero.
+// signature of the edge; the exclusive or over a cycle tells its homology class over Z_2. A simple
+// cycle separates the surface iff that is zero. A signature has a bit for each generator, or, where
+// there are more generators than bits, each bit is the sum of a random half of them: then classes
+// may be lost, with a probability of 2^-64 as long as 64 bits are left, but none is made up.
 class Tree_cotree
 {
 public:
-  using Word = std::uint64_t;
-
-  // O(n log n + g n)
-  Tree_cotree(const Corner_table& chart, const Contracted_surface& surface)
-    : m_chart(chart), m_surface(surface)
+  // `seed` is that of the random sums. O(n log n)
+  Tree_cotree(const Corner_table& chart, const Contracted_surface& surface, unsigned int seed = 0)
+    : m_chart(chart), m_surface(surface), m_edges(chart.opposites().size(), -1)
   {
+    for(int e = 0; e < surface.graph.number_of_edges(); ++e)
+      m_edges[surface.halfedges[e]] = m_edges[chart.opposite(surface.halfedges[e])] = e;
     const std::vector<int> candidates = grow_tree();
     const std::vector<int> cotree = grow_cotree(candidates);
-    compute_signatures(cotree);
+    compute_signatures(cotree, seed);
     prune_cut_graph();
   }
 
@@ -60,10 +63,20 @@ public:
   // The nodes of the cut graph without its dead ends; every cycle that does not separate meets one.
   const std::vector<int>& cut_graph_nodes() const { return m_cut_graph_nodes; }
 
-  std::size_t number_of_words() const { return m_number_of_words; }
-  const Word* signature(int e) const { return m_signatures.data() + e * m_number_of_words; }
+  // What an edge, given by a halfedge, contributes to the class of a cycle; those of the border nothing.
+  Homology_class signature(int h) const { return m_edges[h] < 0 ? Homology_class() : m_signatures[m_edges[h]]; }
+
+  // How many loops the signatures can tell apart, with next to no error.
+  int number_of_loops() const
+  {
+    return is_exact() ? int(m_generators.size()) / 2 : Homology_class::number_of_coordinates - reserve;
+  }
 
 private:
+  static constexpr int reserve = 64; // coordinates: as many as make an error all but impossible
+
+  bool is_exact() const { return m_generators.size() <= Homology_class::number_of_coordinates; }
+
   int first_face(int e) const { return m_surface.halfedges[e] / 3; }
   int second_face(int e) const { return m_chart.opposite(m_surface.halfedges[e]) / 3; }
 
@@ -114,19 +127,32 @@ private:
     return cotree;
   }
 
-  // Sums up the generators beyond each edge of the cotree, from the leaves to the roots.
-  void compute_signatures(const std::vector<int>& cotree)
+  // One for each generator.
+  std::vector<Homology_class> make_coordinates(unsigned int seed) const
   {
-    m_number_of_words = (m_generators.size() + 63) / 64;
-    m_signatures.assign(m_number_of_words * m_surface.graph.number_of_edges(), 0);
-    std::vector<Word> sums(m_number_of_words * m_chart.number_of_triangles(), 0);
+    std::mt19937_64 random(seed);
+    std::vector<Homology_class> coordinates(m_generators.size());
+    for(int i = 0; i < int(coordinates.size()); ++i)
+      if(is_exact())
+        coordinates[i].flip(i);
+      else
+        for(int w = 0; w < Homology_class::number_of_words; ++w)
+          coordinates[i].word(w) = random();
+    return coordinates;
+  }
+
+  // Sums up the generators beyond each edge of the cotree, from the leaves to the roots.
+  void compute_signatures(const std::vector<int>& cotree, unsigned int seed)
+  {
+    const std::vector<Homology_class> coordinates = make_coordinates(seed);
+    m_signatures.resize(m_surface.graph.number_of_edges());
+    std::vector<Homology_class> sums(m_chart.number_of_triangles());
     for(std::size_t i = 0; i < m_generators.size(); ++i)
     {
       const int e = m_generators[i];
-      const Word bit = Word(1) << (i % 64);
-      m_signatures[e * m_number_of_words + i / 64] ^= bit;
-      for(int f : {first_face(e), second_face(e)})
-        sums[f * m_number_of_words + i / 64] ^= bit;
+      m_signatures[e] = coordinates[i];
+      sums[first_face(e)] ^= coordinates[i];
+      sums[second_face(e)] ^= coordinates[i];
     }
 
     std::vector<CGAL::internal::Graph_kernel::Edge> dual_edges;
@@ -139,13 +165,8 @@ private:
     {
       if(last_edge[*it] < 0)
         continue;
-      const int parent = dual.opposite(last_edge[*it], *it);
-      for(std::size_t w = 0; w < m_number_of_words; ++w)
-      {
-        const Word sum = sums[*it * m_number_of_words + w];
-        m_signatures[cotree[last_edge[*it]] * m_number_of_words + w] = sum;
-        sums[parent * m_number_of_words + w] ^= sum;
-      }
+      m_signatures[cotree[last_edge[*it]]] = sums[*it];
+      sums[dual.opposite(last_edge[*it], *it)] ^= sums[*it];
     }
   }
 
@@ -191,8 +212,8 @@ private:
   const Corner_table& m_chart;
   const Contracted_surface& m_surface;
   std::vector<int> m_cut_graph, m_generators, m_cut_graph_nodes;
-  std::size_t m_number_of_words = 0;
-  std::vector<Word> m_signatures;
+  std::vector<int> m_edges; // of the graph, per halfedge
+  std::vector<Homology_class> m_signatures;
 };
 
 } // namespace internal

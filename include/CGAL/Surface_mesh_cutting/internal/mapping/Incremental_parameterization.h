@@ -126,6 +126,21 @@ public:
     return false;
   }
 
+  // Opens the slit if windows around it gain more than `threshold` with the rest held fixed. Nothing else is solved:
+  // what several slits gain, in one place each, adds up, and `converge()` follows once for all.
+  bool open_if_locally_useful(const std::vector<int>& slit, double threshold)
+  {
+    const Trial trial = begin(slit);
+    if(judge_locally(slit, threshold) == Verdict::USEFUL)
+    {
+      for(int e : slit)
+        m_state.cut[e] = 1;
+      return true;
+    }
+    take_back(trial);
+    return false;
+  }
+
   // Whether no cut seems to lead to a useful map. Then every slit gains: searches for slits need a limit.
   bool is_hopeless() const { return m_state.energy > hopeless_energy; }
 
@@ -260,11 +275,13 @@ private:
     return o;
   }
 
-  // Decides from windows around the slit that grow until the answer is clear, then from the whole
-  // chart. What a window gains with the rest held fixed is a part of the full gain. How small a part
-  // at most was measured: with twice the length of the slit it was never below 0.3, so that a gain
-  // below a fifth of the threshold rejects, and a third with the next window.
-  bool is_useful(const std::vector<int>& slit, double threshold)
+  enum class Verdict { USEFUL, USELESS, UNCLEAR };
+
+  // Decides from windows around the slit that grow until the answer is clear. What a window gains with the
+  // rest held fixed is a part of the full gain. How small a part at most was measured: with twice the length
+  // of the slit it was never below 0.3, so that a gain below a fifth of the threshold rejects, and a third
+  // with the next window.
+  Verdict judge_locally(const std::vector<int>& slit, double threshold)
   {
     struct Window { double radius, largest_factor; };
     constexpr Window windows[] = {{1, 20}, {2, 5}, {4, 3}};
@@ -275,11 +292,18 @@ private:
         break;
       gain += solve_window(threshold, gain);
       if(gain > threshold || !m_go_further())
-        return true;
+        return Verdict::USEFUL;
       if(m_policy.uses_estimates && window.largest_factor * gain < threshold)
-        return false;
+        return Verdict::USELESS;
     }
-    return is_globally_useful(threshold);
+    return Verdict::UNCLEAR;
+  }
+
+  // What windows leave unclear, the whole chart decides.
+  bool is_useful(const std::vector<int>& slit, double threshold)
+  {
+    const Verdict verdict = judge_locally(slit, threshold);
+    return verdict == Verdict::UNCLEAR ? is_globally_useful(threshold) : verdict == Verdict::USEFUL;
   }
 
   // Whether the energy will stay above `bound`. The Newton decrement estimates twice the gain that is

@@ -41,7 +41,7 @@ public:
   Component_result detect()
   {
     Component_result result;
-    result.status = cut_handles_of(m_problem, m_context);
+    result.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!result.status)
       return result;
     Detected_features detected = detect_features<ConcurrencyTag>(m_problem, 0, m_context);
@@ -59,7 +59,7 @@ public:
     const bool is_closed = m_problem.is_sphere && !m_problem.initial.is_given();
     const int number_of_starts = is_closed ? m_context.parameters.number_of_starts : 1;
     Component_result failed;
-    failed.status = cut_handles_of(m_problem, m_context);
+    failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!failed.status)
       return failed;
     const Start_run<ConcurrencyTag> run_from(m_problem, m_context);

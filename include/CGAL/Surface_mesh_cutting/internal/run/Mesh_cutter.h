@@ -149,6 +149,8 @@ private:
     const double diagonal = bounding_box_diagonal(component.mesh);
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
     parameters.decrease_per_cost /= diagonal;
+    if(component.topology.genus() > 0 && !parameters.needs_optimal_tree)
+      parameters.connection.maximum_number_of_terminals = Cutting_parameters::many_terminals;
     if(!weights_are_lengths(component.mesh, constraints))
       parameters.adapt_to_weights();
     const Indexed_mesh& mesh = component.mesh;

@@ -94,10 +94,10 @@ private:
     result.cut = cut;
     result.length = cut_length(m_problem.mesh, cut);
     result.cost = cut_cost(m_problem.constraints, cut);
-    result.lower_bound = cut_length(m_problem.mesh, m_problem.constraints.mandatory);
-    if(refiner.cut().is_connected())
+    result.lower_bound = m_problem.is_opened ? 0 : cut_length(m_problem.mesh, m_problem.constraints.mandatory);
+    if(refiner.cut().is_connected() && !m_problem.is_opened) // of whose opening no length is proven
       result.lower_bound += tree.lower_bound;
-    result.is_optimal = refiner.cut().is_connected() && tree.is_optimal && cut == tree.cut;
+    result.is_optimal = !m_problem.is_opened && refiner.cut().is_connected() && tree.is_optimal && cut == tree.cut;
     result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
   }
 

@@ -17,8 +17,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/coarse_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Feature_detector.h>
-#include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/Local_filter.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/open_handles.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,20 +28,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// Makes loops mandatory that cut the handles (paper, Section 3.3), along a given cut where that is possible.
-inline Indexed_status cut_handles_of(Problem& problem, const Context& context)
-{
-  if(problem.is_sphere)
-    return Indexed_status();
-  const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
-  Handle_loops handles = cut_handles(problem.mesh,
-                                     problem.initial.is_given() ? problem.initial.guide(problem.constraints)
-                                                                : problem.constraints,
-                                     context.control);
-  problem.constraints.mandatory = std::move(handles.cut);
-  return handles.status;
-}
 
 // Whether features are found on a coarser version. A mesh only little larger than the target would not become much
 // simpler. A given cut lies on the surface itself.
@@ -128,9 +115,43 @@ Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start,
 }
 
 // The features of a surface without handles (paper, Section 3.1), from the given start.
+// On a surface that is opened to a disk, on a coarser version of that disk.
+inline Detected_features detect_features_of_disk(const Problem& fine, const Context& context)
+{
+  using namespace Surface_mesh_parameterization::internal;
+  constexpr int faces_per_handle = 100; // of the coarser version: as many as show what its part of the surface looks like
+  const Phase_clock::Measurement measurement(context.clock, Phase::FILTER);
+  const Corner_table chart = make_chart(fine.mesh, fine.constraints.mandatory);
+  const Indexed_mesh disk(chart_points(fine.mesh, chart), chart.triangles(), chart.opposites());
+  Edge_constraints constraints = unconstrained(disk);
+  for(int e = 0; e < disk.number_of_edges(); ++e)
+    constraints.weights[e] = fine.constraints.weights[fine.mesh.edge(disk.halfedge(e))];
+  const int handles = 1 - Corner_table(fine.mesh.triangles(), fine.mesh.opposites(),
+                                       fine.mesh.number_of_vertices()).euler_characteristic() / 2;
+  const int number_of_faces = (std::max)(context.parameters.coarse_number_of_faces, faces_per_handle * handles);
+  const Coarse_mesh coarse(disk, number_of_faces / 2, {});
+  const Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
+                        coarse_constraints(disk, constraints, coarse, {}), {}, Initial_cut(), false};
+  const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
+  Local_filter filter(problem, Context{parameters, context.control, context.clock});
+  Detected_features detected;
+  if(!filter.run())
+    detected.status = context.control.is_stopped() ? failure(context.control) : Indexed_status();
+  detected.number_of_candidates = filter.number_of_candidates();
+  detected.features = fine.terminals;
+  for(int v : filter.features())
+    detected.features.push_back(chart.origins()[coarse.vertices[v]]);
+  std::sort(detected.features.begin(), detected.features.end());
+  detected.features.erase(std::unique(detected.features.begin(), detected.features.end()), detected.features.end());
+  detected.trade_offs = filter.trade_offs();
+  return detected;
+}
+
 template <typename ConcurrencyTag>
 Detected_features detect_features(const Problem& problem, int start, const Context& context)
 {
+  if(problem.is_opened)
+    return detect_features_of_disk(problem, context);
   if(is_coarsened(problem, context.parameters))
   {
     Detected_features detected = detect_features_on_coarse_mesh<ConcurrencyTag>(problem, start, context);

@@ -13,6 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_OPTIONS_H
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace internal {
@@ -33,6 +34,8 @@ struct Options
   Method method = Method::exact;
   double minimum_length_decrease = 0.;
   std::size_t maximum_number_of_states = 20000000;
+  // For more, the exact method, which could not prove much, gives way to near points.
+  std::size_t maximum_number_of_terminals = (std::numeric_limits<std::size_t>::max)();
 };
 
 } // namespace Steiner_tree

@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/tree_through_many_terminals.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -141,6 +142,11 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
     solution.tree = local_search_tree<ConcurrencyTag>(graph, terminals, go_further);
     break;
   case Method::exact:
+    if(terminals.size() > options.maximum_number_of_terminals) {
+      solution.tree =
+        tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further);
+      break;
+    }
     const Exact_solver<ConcurrencyTag> solver(graph, terminals, options.maximum_number_of_states, go_further);
     solution.tree = solver.tree();
     solution.lower_bound = solver.lower_bound();
