@@ -22,6 +22,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -69,6 +70,22 @@ void execute(Execution execution, int size, const Function& f)
   (void)execution;
   for(int i = 0; i < size; ++i)
     f(i);
+}
+
+// Calls both. The thread that is done first helps in the loops of the other one, which isolation would prevent.
+template <typename First, typename Second>
+void execute_both(Execution execution, const First& first, const Second& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution == Execution::PARALLEL)
+  {
+    tbb::parallel_invoke(first, second);
+    return;
+  }
+#endif
+  (void)execution;
+  first();
+  second();
 }
 
 // What one thread takes at a time: more than starting it costs.

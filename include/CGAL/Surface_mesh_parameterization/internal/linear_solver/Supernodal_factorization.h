@@ -48,6 +48,7 @@ public:
     m_first_child.assign(n, -1);
     m_next_sibling.assign(n, -1);
     m_starts.assign(n + 1, 0);
+    m_starts_below.assign(n + 1, 0);
     for(int s = n - 1; s >= 0; --s) // lists in ascending order
     {
       parents[s] = m_supernodes.parent(s);
@@ -59,7 +60,10 @@ public:
       }
     }
     for(int s = 0; s < n; ++s)
+    {
+      m_starts_below[s + 1] = m_starts_below[s] + std::size_t(m_supernodes.number_of_rows_below(s));
       m_starts[s + 1] = m_starts[s] + std::size_t(m_supernodes.height(s)) * m_supernodes.width(s);
+    }
     m_schedule = Tree_schedule(parents, work);
     m_values.reset();
     m_rests.clear();
@@ -91,9 +95,9 @@ public:
     Eigen::VectorXd x(n), result(n);
     for(int i = 0; i < n; ++i)
       x[places[i]] = right[i];
-    std::vector<Eigen::VectorXd> parts(m_supernodes.size()); // of x, at the rows of each supernode
-    m_schedule.ascend(m_execution, [&](int s) { solve_forward(s, x, parts); });
-    m_schedule.descend(m_execution, [&](int s) { solve_backward(s, x, parts); });
+    Eigen::VectorXd below(m_starts_below.back()); // of x, at the rows below each supernode
+    m_schedule.ascend(m_execution, [&](int s) { solve_forward(s, x, below); });
+    m_schedule.descend(m_execution, [&](int s) { solve_backward(s, x, below); });
     for(int i = 0; i < n; ++i)
       result[i] = x[places[i]];
     return result;
@@ -155,47 +159,51 @@ private:
     }
   }
 
+  // The part of a vector over the rows below all supernodes that belongs to one.
+  Eigen::VectorBlock<Eigen::VectorXd> rows_below(Eigen::VectorXd& below, int s) const
+  {
+    return below.segment(m_starts_below[s], m_supernodes.number_of_rows_below(s));
+  }
+
   // Children hand on what they subtract from the right side, as with the matrix.
-  void solve_forward(int s, Eigen::VectorXd& x, std::vector<Eigen::VectorXd>& parts) const
+  void solve_forward(int s, Eigen::VectorXd& x, Eigen::VectorXd& below) const
   {
     const Dense_block own = columns(s);
-    const int height = int(own.rows()), width = int(own.cols()), below = height - width;
-    Eigen::VectorXd& part = parts[s];
-    part.setZero(height);
-    part.head(width) = x.segment(m_supernodes.first_column(s), width);
+    const int width = int(own.cols());
+    auto solution = x.segment(m_supernodes.first_column(s), width);
+    auto rest = rows_below(below, s);
+    rest.setZero();
     for(int child = m_first_child[s]; child >= 0; child = m_next_sibling[child])
     {
       const int* const rows = m_supernodes.rows_in_parent(child);
-      const Eigen::VectorXd& added = parts[child];
+      const auto added = rows_below(below, child);
       for(int i = 0; i < int(added.size()); ++i)
-        part[rows[i]] += added[i];
+        (rows[i] < width ? solution[rows[i]] : rest[rows[i] - width]) += added[i];
     }
     for(int j = 0; j < width; ++j)
     {
-      part[j] /= own(j, j);
-      part.segment(j + 1, width - j - 1) -= part[j] * own.col(j).segment(j + 1, width - j - 1);
+      const double value = solution[j] /= own(j, j);
+      solution.tail(width - j - 1) -= value * own.col(j).segment(j + 1, width - j - 1);
     }
-    x.segment(m_supernodes.first_column(s), width) = part.head(width);
-    Eigen::VectorXd rest = part.tail(below);
-    rest.noalias() -= own.bottomRows(below) * part.head(width);
-    part.swap(rest);
+    rest.noalias() -= own.bottomRows(rest.size()) * solution;
   }
 
-  void solve_backward(int s, Eigen::VectorXd& x, std::vector<Eigen::VectorXd>& parts) const
+  void solve_backward(int s, Eigen::VectorXd& x, Eigen::VectorXd& below) const
   {
     const Dense_block own = columns(s);
-    const int height = int(own.rows()), width = int(own.cols()), below = height - width;
-    Eigen::VectorXd& part = parts[s];
-    const int parent = m_supernodes.parent(s);
+    const int width = int(own.cols()), parent = m_supernodes.parent(s);
+    auto rest = rows_below(below, s);
     if(parent >= 0)
     {
       const int* const rows = m_supernodes.rows_in_parent(s);
-      const int first = m_supernodes.first_column(parent), parent_width = m_supernodes.width(parent);
-      for(int i = 0; i < below; ++i)
-        part[i] = rows[i] < parent_width ? x[first + rows[i]] : parts[parent][rows[i] - parent_width];
+      const int parent_width = m_supernodes.width(parent);
+      const auto above = x.segment(m_supernodes.first_column(parent), parent_width);
+      const auto rest_above = rows_below(below, parent);
+      for(int i = 0; i < int(rest.size()); ++i)
+        rest[i] = rows[i] < parent_width ? above[rows[i]] : rest_above[rows[i] - parent_width];
     }
     auto solution = x.segment(m_supernodes.first_column(s), width);
-    solution.noalias() -= own.bottomRows(below).transpose() * part;
+    solution.noalias() -= own.bottomRows(rest.size()).transpose() * rest;
     for(int j = width - 1; j >= 0; --j)
       solution[j] = (solution[j] - own.col(j).segment(j + 1, width - j - 1).dot(solution.tail(width - j - 1))) / own(j, j);
   }
@@ -204,7 +212,7 @@ private:
   Supernodes m_supernodes;
   Tree_schedule m_schedule;
   std::vector<int> m_first_child, m_next_sibling;
-  std::vector<std::size_t> m_starts; // of the columns of each supernode
+  std::vector<std::size_t> m_starts, m_starts_below; // of the columns of each supernode, and of the rows below them
   std::unique_ptr<double[]> m_values;
   std::vector<std::unique_ptr<double[]> > m_rests;
 };

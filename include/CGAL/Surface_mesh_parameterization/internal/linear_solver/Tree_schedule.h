@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -29,17 +30,23 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // Visits the nodes of a forest in postorder, children before parents or the other way round, independent subtrees
-// at the same time. Small subtrees are one task, each node above them is one.
+// at the same time. Small subtrees are one task, each node above them is one; all nodes are, if there is little work.
 class Tree_schedule
 {
 public:
   Tree_schedule() = default;
 
-  // `parent`: per node, a larger number, or -1. `work`: of each node, in any unit.
+  // `parent`: per node, a larger number, or -1. `work`: of each node, in operations.
   Tree_schedule(const std::vector<int>& parent, const std::vector<double>& work)
   {
     constexpr double number_of_shares = 64; // of the work; a task has at most one, unless it is a single node
+    constexpr double little_work = 1e7;     // some milliseconds
     const int n = int(parent.size());
+    if(std::accumulate(work.begin(), work.end(), 0.) < little_work)
+    {
+      m_tasks.push_back({0, n, -1, 0});
+      return;
+    }
     std::vector<double> total = work;
     std::vector<int> first(n); // of the subtree
     double whole = 0;
