@@ -25,6 +25,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,8 @@ enum class First_map
 constexpr double hopeless_energy = 100;
 
 // Flip-free maps of one chart: from nothing, or better ones from a given one. Keeps what does not
-// change between solves: shapes, weights and the symbolic factorization.
+// change between solves: shapes, weights and the symbolic factorization, which takes so long on large charts that
+// another thread does it while the hierarchy is built.
 class Chart_parameterizer
 {
 public:
@@ -53,7 +55,7 @@ public:
   Chart_parameterizer(const Corner_table& chart, std::vector<Eigen::Vector3d> points,
                       const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers)
     : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
-      m_linear_solvers(linear_solvers), m_solver(chart.triangles(), chart.number_of_vertices(), linear_solvers)
+      m_linear_solvers(linear_solvers)
   {}
 
   // As conformal as possible, free border: KP-Newton on the MIPS energy. The result has the surface's area.
@@ -68,7 +70,7 @@ public:
 
   Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
-    const Newton_result result = m_solver.minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
+    const Newton_result result = solver().minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
     if(result.outcome != Newton_outcome::FAILED)
       scale_to_area(m_chart.triangles(), surface_area(m_shapes), uv);
     return result;
@@ -85,7 +87,7 @@ public:
 
   // The start of `isometric_map()`. False if no flip-free map was found or the run was stopped.
   bool isometric_start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options,
-                       First_map first_map = First_map::HIERARCHY) const
+                       First_map first_map = First_map::HIERARCHY)
   {
     return start<Symmetric_Dirichlet_energy>(uv, options, first_map);
   }
@@ -96,12 +98,31 @@ public:
     const double scale = best_scale(m_shapes, m_chart.triangles(), uv);
     for(Eigen::Vector2d& u : uv)
       u *= scale;
-    return m_solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
+    return solver().minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
   }
 
 private:
+  Newton_solver& solver()
+  {
+    if(!m_solver)
+      m_solver = std::make_unique<Newton_solver>(m_chart.triangles(), m_chart.number_of_vertices(), m_linear_solvers);
+    return *m_solver;
+  }
+
   template <typename Energy>
-  bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map) const
+  bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map)
+  {
+    bool is_mapped = false;
+    const auto map = [&] { is_mapped = first_map_found<Energy>(uv, options, first_map); };
+    if(m_linear_solvers.execution() == Execution::PARALLEL)
+      execute_both(Execution::PARALLEL, map, [&] { solver(); });
+    else // then its memory is not needed yet
+      map();
+    return is_mapped;
+  }
+
+  template <typename Energy>
+  bool first_map_found(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map) const
   {
     const auto map_by_tutte
       = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), m_linear_solvers, uv); };
@@ -118,7 +139,7 @@ private:
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
   const Linear_solver_source& m_linear_solvers;
-  Newton_solver m_solver;
+  std::unique_ptr<Newton_solver> m_solver;
 };
 
 } // namespace internal

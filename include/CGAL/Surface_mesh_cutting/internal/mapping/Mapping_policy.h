@@ -36,6 +36,8 @@ struct Mapping_policy
   // See `Newton_options::decrement`. An accuracy well below epsilon_iso suffices: what the last step leaves
   // is far less than the decrement before it.
   double precision = 1e-4;
+  // The same for the map that is returned: its energy then lies within about 1e-5 of the least.
+  double final_precision = 1e-5;
   // Whether estimates may reject a slit. A slit is always accepted as soon as a map is found that gains
   // enough, since the best map gains no less.
   bool uses_estimates = true;
@@ -48,7 +50,7 @@ inline Mapping_policy mapping_policy(const Cutting_parameters& parameters)
   if(parameters.use_published_method)
   {
     policy.first_map = First_map::TUTTE;
-    policy.precision = Newton_options().decrement;
+    policy.precision = policy.final_precision = Newton_options().decrement;
     policy.uses_estimates = false;
   }
   return policy;

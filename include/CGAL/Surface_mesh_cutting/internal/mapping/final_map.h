@@ -32,6 +32,7 @@ inline Newton_result final_map(const Problem& problem, const Open_chart& running
                                std::vector<Eigen::Vector2d>& uv)
 {
   Newton_options options;
+  options.decrement = mapping_policy(context.parameters).final_precision;
   options.go_further = context.control;
   const Linear_solver_source& linear_solvers = *context.parameters.linear_solvers;
   const std::vector<Eigen::Vector3d> points = chart_points(problem.mesh, running.chart);

@@ -106,7 +106,7 @@ private:
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     m_control.report(Phase::PARAMETERIZE, 0);
     // At full resolution a second solve costs more than the precision that refinement does not need.
-    if(refines() ? refiner.map() : refiner.map(Newton_options().decrement))
+    if(refines() ? refiner.map() : refiner.map(mapping_policy(m_parameters).final_precision))
       return true;
     result.status = failure(m_control);
     result.has_cut = false;

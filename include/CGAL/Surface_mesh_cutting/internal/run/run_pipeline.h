@@ -121,7 +121,8 @@ Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult w
                                                 get_const_property_map(CGAL::vertex_point, tmesh)));
   Cutting_parameters parameters = read_cutting_parameters(np);
   parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
-    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control);
+    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control,
+    Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>());
 
   Indexed_status status = adapter.status();
   if(status)

@@ -123,30 +123,47 @@ public:
     {
       placed.push_back(m_chart.undo());
       ++m_number_of_vertices;
-      collect_star(placed.back(), uv);
+      collect_star(placed.back(), uv, [this](int h) { return shape(h); });
       if(!place(m_star, uv[placed.back()]))
         return false;
     }
-    // The stars have changed since: further rounds take out what would hold up the global solve.
-    constexpr int number_of_rounds = 2;
-    for(int round = 0; round < number_of_rounds; ++round)
-      for(int v : placed)
-      {
-        if(m_keeps_region && m_chart.is_on_border(v))
-          continue;
-        collect_star(v, uv);
-        place.improve(m_star, uv[v]);
-      }
+    improve<Energy>(placed, uv);
     return true;
   }
 
 private:
-  void collect_star(int v, const std::vector<Eigen::Vector2d>& uv)
+  // The stars of vertices have changed since they were placed: further rounds take out what would hold up the global
+  // solve.
+  template <typename Energy>
+  void improve(const std::vector<int>& placed, std::vector<Eigen::Vector2d>& uv)
+  {
+    constexpr int number_of_rounds = 2;
+    std::vector<Rest_shape> shapes(m_chart.triangles().size()); // each is needed for several stars and rounds
+    for(int t = 0; t < int(shapes.size()); ++t)
+      if(!m_chart.is_dormant(t))
+        shapes[t] = shape(3 * t);
+    const auto shape_from = [&shapes](int h)
+    {
+      const Rest_shape& s = shapes[h / 3];
+      return h % 3 == 0 ? s : h % 3 == 1 ? Rest_shape{s.g1, s.g2, s.g0, s.area} : Rest_shape{s.g2, s.g0, s.g1, s.area};
+    };
+    for(int round = 0; round < number_of_rounds; ++round)
+      for(int v : placed)
+        if(!m_keeps_region || !m_chart.is_on_border(v))
+        {
+          collect_star(v, uv, shape_from);
+          Star_placement<Energy>::improve(m_star, uv[v]);
+        }
+  }
+
+  // `shape_from(h)`: the shape of the triangle of `h`, corner 0 at the source of `h`.
+  template <typename ShapeFrom>
+  void collect_star(int v, const std::vector<Eigen::Vector2d>& uv, const ShapeFrom& shape_from)
   {
     m_chart.fan(v, m_fan);
     m_star.clear();
     for(int h : m_fan)
-      m_star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape(h)});
+      m_star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape_from(h)});
     if(m_keeps_region && m_chart.is_on_border(v))
       m_star.push_back(wall());
   }

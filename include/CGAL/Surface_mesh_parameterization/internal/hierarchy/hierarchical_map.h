@@ -52,7 +52,7 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
                              const Linear_solver_source& linear_solvers, const Optimize& optimize,
                              std::vector<Eigen::Vector2d>& uv)
 {
-  constexpr int growth = 2;
+  constexpr int growth = 4; // each stage has to be ordered and factorized
   hierarchy.coarsen(coarsest_size);
   for(bool is_first = true; is_first || !hierarchy.is_complete(); is_first = false)
   {
@@ -73,7 +73,7 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
 }
 
 // A map from nothing: the coarsest stage of the hierarchy is mapped by Tutte's embedding, each stage
-// is optimized by `optimize(stage, uv)` and handed to the next, twice as large. `uv` is near the
+// is optimized by `optimize(stage, uv)` and handed to the next, four times as large. `uv` is near the
 // optimum on return, but not optimized at full resolution. In floating point Tutte's embedding collapses where
 // many vertices hang on few, as around one with a hundred neighbors: should a stage not be mapped, optimized or
 // extended to a map that is `is_valid(uv)`, all is done again from a coarser one. `optimize` returns how

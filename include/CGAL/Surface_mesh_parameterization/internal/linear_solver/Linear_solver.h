@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -61,15 +63,22 @@ public:
 using Symmetric_solver = Unordered_solver<double>;
 using Hermitian_solver = Unordered_solver<std::complex<double> >;
 
-// Where the solvers of all systems come from. May be asked by several threads at a time.
+// Where the solvers of all systems come from, and whether these and the loops that assemble systems may use several
+// threads. May be asked by several threads at a time.
 class Linear_solver_source
 {
 public:
+  explicit Linear_solver_source(Execution execution = Execution::SEQUENTIAL) : m_execution(execution) {}
   virtual ~Linear_solver_source() = default;
+
+  Execution execution() const { return m_execution; }
 
   virtual std::unique_ptr<Linear_solver> make_solver() const = 0;
   virtual std::unique_ptr<Symmetric_solver> make_symmetric_solver() const = 0;
   virtual std::unique_ptr<Hermitian_solver> make_hermitian_solver() const = 0;
+
+private:
+  const Execution m_execution;
 };
 
 } // namespace internal

@@ -100,13 +100,13 @@ private:
   Simplicial_factorization<Scalar> m_factorization;
 };
 
-// What is used unless another solver is given. Factorizations end, as if they failed, once `go_further()` does not
-// want more; several threads may ask it at a time.
+// Factorizations end, as if they failed, once `go_further()` does not want more; several threads may ask it at a time.
 class Simplicial_solver_source : public Linear_solver_source
 {
 public:
-  explicit Simplicial_solver_source(Go_further go_further = always_go_further)
-    : m_go_further(std::move(go_further))
+  explicit Simplicial_solver_source(Go_further go_further = always_go_further,
+                                    Execution execution = Execution::SEQUENTIAL)
+    : Linear_solver_source(execution), m_go_further(std::move(go_further))
   {}
 
   std::unique_ptr<Linear_solver> make_solver() const override

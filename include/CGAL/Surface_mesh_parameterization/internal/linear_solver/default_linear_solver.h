@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/library.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Direct_solver.h>
 
 #include <CGAL/Default.h>
 
@@ -28,9 +28,10 @@ namespace internal {
 
 // The solver of programs that do not name another one.
 CGAL_SURFACE_MESH_CUTTING_INLINE
-std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&, const Go_further& go_further)
+std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&, const Go_further& go_further,
+                                                                      Execution execution)
 {
-  return std::make_shared<Simplicial_solver_source>(go_further);
+  return std::make_shared<Direct_solver_source>(go_further, execution);
 }
 
 } // namespace internal

@@ -44,6 +44,8 @@ using CGAL::internal::Graph_kernel::always_go_further;
 class Given_solver_source : public Linear_solver_source
 {
 public:
+  using Linear_solver_source::Linear_solver_source;
+
   std::unique_ptr<Symmetric_solver> make_symmetric_solver() const override
   {
     return std::make_unique<Reordering_solver>(make_solver());
@@ -59,7 +61,7 @@ template <typename Solver>
 class Copied_solver_source : public Given_solver_source
 {
 public:
-  explicit Copied_solver_source(const Solver& solver) : m_solver(solver) {}
+  Copied_solver_source(const Solver& solver, Execution execution) : Given_solver_source(execution), m_solver(solver) {}
   std::unique_ptr<Linear_solver> make_solver() const override { return adapt(std::make_shared<Solver>(m_solver)); }
 
 private:
@@ -70,8 +72,8 @@ private:
 class Lent_solver_source : public Given_solver_source
 {
 public:
-  explicit Lent_solver_source(std::unique_ptr<Linear_solver> solver)
-    : m_lending(std::make_shared<Lending>(std::move(solver)))
+  Lent_solver_source(std::unique_ptr<Linear_solver> solver, Execution execution)
+    : Given_solver_source(execution), m_lending(std::make_shared<Lending>(std::move(solver)))
   {}
   std::unique_ptr<Linear_solver> make_solver() const override { return std::make_unique<Lent_solver>(m_lending); }
 
@@ -84,25 +86,28 @@ private:
 // without a given solver end early, as if they failed, once `go_further()` does not want more.
 CGAL_SURFACE_MESH_CUTTING_INLINE
 std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Default&,
-                                                                      const Go_further& go_further = always_go_further);
+                                                                      const Go_further& go_further = always_go_further,
+                                                                      Execution execution = Execution::SEQUENTIAL);
 
 template <typename Solver>
 std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const std::reference_wrapper<Solver>& solver,
-                                                                      const Go_further& = always_go_further)
+                                                                      const Go_further& = always_go_further,
+                                                                      Execution execution = Execution::SEQUENTIAL)
 {
   static_assert(!std::is_const<Solver>::value, "Pass a solver that cannot be copied by std::ref().");
   const std::shared_ptr<void> no_owner;
-  return std::make_shared<Lent_solver_source>(adapt(std::shared_ptr<Solver>(no_owner, &solver.get())));
+  return std::make_shared<Lent_solver_source>(adapt(std::shared_ptr<Solver>(no_owner, &solver.get())), execution);
 }
 
 template <typename Solver>
 std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Solver& solver,
-                                                                      const Go_further& = always_go_further)
+                                                                      const Go_further& = always_go_further,
+                                                                      Execution execution = Execution::SEQUENTIAL)
 {
   if constexpr(Has_eigen_interface<Solver>::value)
-    return std::make_shared<Copied_solver_source<Solver> >(solver);
+    return std::make_shared<Copied_solver_source<Solver> >(solver, execution);
   else
-    return std::make_shared<Lent_solver_source>(adapt(std::make_shared<Solver>(solver)));
+    return std::make_shared<Lent_solver_source>(adapt(std::make_shared<Solver>(solver)), execution);
 }
 
 } // namespace internal

@@ -80,14 +80,14 @@ public:
   // which costs nothing since the energies do not depend on translation).
   Newton_solver(std::vector<Triangle> triangles, int number_of_vertices,
                 const Linear_solver_source& linear_solvers, std::vector<char> is_fixed = {})
-    : m_triangles(std::move(triangles)), m_solver(linear_solvers.make_solver())
+    : m_triangles(std::move(triangles)), m_execution(linear_solvers.execution()), m_solver(linear_solvers.make_solver())
   {
     if(std::find(is_fixed.begin(), is_fixed.end(), char(1)) == is_fixed.end() && !m_triangles.empty())
     {
       is_fixed.assign(number_of_vertices, 0);
       is_fixed[m_triangles.front()[0]] = 1;
     }
-    m_system = Newton_system(m_triangles, number_of_vertices, is_fixed);
+    m_system = Newton_system(m_triangles, number_of_vertices, is_fixed, m_execution);
     if(m_system.number_of_unknowns() > 0)
       m_solver->analyze(m_system.hessian());
   }
@@ -132,12 +132,12 @@ public:
           result.outcome = Newton_outcome::STOPPED;
           return result;
         }
-        for(std::size_t v = 0; v < uv.size(); ++v)
-          if(m_system.unknown(int(v)) >= 0)
-          {
-            const int u = m_system.unknown(int(v));
-            direction[v] = Eigen::Vector2d(-m_step[u], -m_step[u + 1]);
-          }
+        execute_blocks(m_execution, int(uv.size()), [&](int begin, int end)
+        {
+          for(int v = begin; v < end; ++v)
+            if(const int u = m_system.unknown(v); u >= 0)
+              direction[v] = Eigen::Vector2d(-m_step[u], -m_step[u + 1]);
+        });
         const bool is_converged = result.decrement <= options.decrement * result.energy;
         const double former = result.energy;
         const double t = line_search<Energy>(shapes, weights, direction, uv, trial, result);
@@ -163,17 +163,20 @@ public:
   double energy(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
                 const std::vector<Eigen::Vector2d>& uv) const
   {
-    double sum = 0;
-    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+    return reduce_blocks(m_execution, int(m_triangles.size()), 0., [&](int begin, int end)
     {
-      const Triangle& t = m_triangles[f];
-      const Wirtinger_derivatives w = wirtinger_derivatives(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]]);
-      const double x = w.x(), y = w.y();
-      if(!(x > y))
-        return std::numeric_limits<double>::infinity();
-      sum += weights[f] * Energy::value(x, y);
-    }
-    return sum;
+      double sum = 0;
+      for(int f = begin; f < end; ++f)
+      {
+        const Triangle& t = m_triangles[f];
+        const Wirtinger_derivatives w = wirtinger_derivatives(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]]);
+        const double x = w.x(), y = w.y();
+        if(!(x > y))
+          return std::numeric_limits<double>::infinity();
+        sum += weights[f] * Energy::value(x, y);
+      }
+      return sum;
+    }, std::plus<double>());
   }
 
 private:
@@ -272,15 +275,18 @@ private:
     constexpr int maximum_trials = 60;                  // no digit of the step is left after these
     const auto move = [&](double t)
     {
-      for(std::size_t v = 0; v < uv.size(); ++v)
-        trial[v] = uv[v] + t * direction[v];
+      execute_blocks(m_execution, int(uv.size()), [&](int begin, int end)
+      {
+        for(int v = begin; v < end; ++v)
+          trial[v] = uv[v] + t * direction[v];
+      });
     };
     const auto energy_at = [&](double t)
     {
       move(t);
       return energy<Energy>(shapes, weights, trial);
     };
-    const double longest = margin * step_to_first_flip(m_triangles, uv, direction);
+    const double longest = margin * step_to_first_flip(m_triangles, uv, direction, m_execution);
     const double first = (std::min)(1., longest);
     double t = first, e = energy_at(t);
     for(int i = 0; i < maximum_trials && !(e <= result.energy - armijo * t * result.decrement); ++i)
@@ -305,6 +311,7 @@ private:
   }
 
   std::vector<Triangle> m_triangles;
+  const Execution m_execution;
   Newton_system m_system;
   std::unique_ptr<Linear_solver> m_solver;
   Eigen::VectorXd m_step;

@@ -14,9 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Triangle_groups.h>
 
 #include <Eigen/Core>
 
@@ -37,11 +39,12 @@ public:
 
   // Vertices with `is_fixed` have no unknowns (empty: none is fixed). O(n log n).
   Newton_system(const std::vector<Triangle>& triangles, int number_of_vertices,
-                const std::vector<char>& is_fixed)
-    : m_positions(number_of_vertices, -1)
+                const std::vector<char>& is_fixed, Execution execution = Execution::SEQUENTIAL)
+    : m_execution(execution), m_positions(number_of_vertices, -1)
   {
     order_unknowns(triangles, is_fixed);
     build_pattern(triangles);
+    m_groups = Triangle_groups(triangles, m_positions, int(m_diagonal.size()));
   }
 
   int number_of_unknowns() const { return int(m_gradient.size()); }
@@ -61,14 +64,12 @@ public:
     std::fill_n(m_hessian.valuePtr(), m_hessian.nonZeros(), 0.);
     m_gradient.setZero();
     double* values = m_hessian.valuePtr();
-    double energy = 0;
-    Triangle_terms terms;
-    for(std::size_t f = 0; f < triangles.size(); ++f)
+    const double energy = m_groups.sum(m_execution, [&](int f)
     {
+      Triangle_terms terms;
       const Triangle& t = triangles[f];
       const double w = weights[f];
       triangle_terms<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], terms);
-      energy += w * terms.value;
       for(int k = 0; k < 3; ++k)
       {
         const int p = m_positions[t[k]];
@@ -82,7 +83,8 @@ public:
         d[stride + 1] += w * terms.diagonal[k](1, 1);
         add_mixed(values, m_mixed[3 * f + k], p, m_positions[t[(k + 1) % 3]], w, terms.mixed[k]);
       }
-    }
+      return w * terms.value;
+    });
     for(std::size_t p = 0; p < m_diagonal.size(); ++p)
     {
       values[m_diagonal[p]] *= 1 + shift;
@@ -97,15 +99,16 @@ public:
                          const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv)
   {
     m_gradient.setZero();
-    Eigen::Vector2d gradient[3];
-    for(std::size_t f = 0; f < triangles.size(); ++f)
+    m_groups.sum(m_execution, [&](int f)
     {
+      Eigen::Vector2d gradient[3];
       const Triangle& t = triangles[f];
-      triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient);
+      const double energy = triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient);
       for(int k = 0; k < 3; ++k)
         if(m_positions[t[k]] >= 0)
           m_gradient.segment<2>(2 * m_positions[t[k]]) += weights[f] * gradient[k];
-    }
+      return weights[f] * energy;
+    });
   }
 
 private:
@@ -244,12 +247,14 @@ private:
       }
   }
 
+  Execution m_execution = Execution::SEQUENTIAL;
   std::vector<int> m_positions;    // per vertex, in the order of elimination
   Sparse_matrix m_hessian;         // upper triangle
   Eigen::VectorXd m_gradient;
   std::vector<int> m_diagonal;     // per position, where its 2x2 diagonal block starts
   std::vector<int> m_column_sizes; // per position, distance between its two columns
   std::vector<int> m_mixed;        // per halfedge, where the block of its two vertices starts
+  Triangle_groups m_groups;
 };
 
 } // namespace internal

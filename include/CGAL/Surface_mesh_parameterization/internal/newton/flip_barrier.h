@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <Eigen/Core>
@@ -42,18 +43,25 @@ inline double smallest_positive_root(double a, double b, double c)
 // How far all vertices can move along `direction` until a triangle degenerates [SS15, Section 3.3].
 inline double step_to_first_flip(const std::vector<Triangle>& triangles,
                                  const std::vector<Eigen::Vector2d>& uv,
-                                 const std::vector<Eigen::Vector2d>& direction)
+                                 const std::vector<Eigen::Vector2d>& direction,
+                                 Execution execution = Execution::SEQUENTIAL)
 {
   const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   { return a.x() * b.y() - a.y() * b.x(); };
-  double step = std::numeric_limits<double>::infinity();
-  for(const Triangle& t : triangles)
+  const auto smaller = [](double s, double t) { return (std::min)(s, t); };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return reduce_blocks(execution, int(triangles.size()), infinity, [&](int begin, int end)
   {
-    const Eigen::Vector2d a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
-    const Eigen::Vector2d da = direction[t[1]] - direction[t[0]], db = direction[t[2]] - direction[t[0]];
-    step = (std::min)(step, smallest_positive_root(cross(a, b), cross(a, db) + cross(da, b), cross(da, db)));
-  }
-  return step;
+    double step = infinity;
+    for(int f = begin; f < end; ++f)
+    {
+      const Triangle& t = triangles[f];
+      const Eigen::Vector2d a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
+      const Eigen::Vector2d da = direction[t[1]] - direction[t[0]], db = direction[t[2]] - direction[t[0]];
+      step = smaller(step, smallest_positive_root(cross(a, b), cross(a, db) + cross(da, b), cross(da, db)));
+    }
+    return step;
+  }, smaller);
 }
 
 } // namespace internal

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EXECUTION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EXECUTION_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Whether loops may use several threads. Results do not depend on it: each iteration writes to places of its own,
+// and sums have a fixed order.
+enum class Execution { SEQUENTIAL, PARALLEL };
+
+template <typename ConcurrencyTag>
+constexpr Execution execution_of()
+{
+  return std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? Execution::PARALLEL : Execution::SEQUENTIAL;
+}
+
+// Calls `f`, within which a thread that waits for others does not take up work from outside, such as a whole
+// component, which would keep it for long.
+template <typename Function>
+void execute_in_isolation(Execution execution, const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution == Execution::PARALLEL)
+  {
+    tbb::this_task_arena::isolate(f);
+    return;
+  }
+#endif
+  (void)execution;
+  f();
+}
+
+// Calls `f(i)` for i in 0..size-1.
+template <typename Function>
+void execute(Execution execution, int size, const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution == Execution::PARALLEL && size > 1)
+  {
+    execute_in_isolation(execution, [&] { tbb::parallel_for(0, size, f); });
+    return;
+  }
+#endif
+  (void)execution;
+  for(int i = 0; i < size; ++i)
+    f(i);
+}
+
+// Calls both. The thread that is done first helps in the loops of the other one, which isolation would prevent.
+template <typename First, typename Second>
+void execute_both(Execution execution, const First& first, const Second& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution == Execution::PARALLEL)
+  {
+    tbb::parallel_invoke(first, second);
+    return;
+  }
+#endif
+  (void)execution;
+  first();
+  second();
+}
+
+// What one thread takes at a time: more than starting it costs.
+constexpr int block_size = 4096;
+
+inline int number_of_blocks(int size) { return (size + block_size - 1) / block_size; }
+
+// Calls `f(begin, end)` for blocks of 0..size-1.
+template <typename Function>
+void execute_blocks(Execution execution, int size, const Function& f)
+{
+  execute(execution, number_of_blocks(size),
+          [&](int b) { f(b * block_size, (std::min)(size, (b + 1) * block_size)); });
+}
+
+// The results of `f(begin, end)` for blocks of 0..size-1, reduced in order.
+template <typename T, typename Function, typename Reduce>
+T reduce_blocks(Execution execution, int size, T value, const Function& f, const Reduce& reduce)
+{
+  std::vector<T> parts(number_of_blocks(size), value);
+  execute_blocks(execution, size, [&](int begin, int end) { parts[begin / block_size] = f(begin, end); });
+  for(const T& part : parts)
+    value = reduce(value, part);
+  return value;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EXECUTION_H

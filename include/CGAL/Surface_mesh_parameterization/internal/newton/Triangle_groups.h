@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_TRIANGLE_GROUPS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_TRIANGLE_GROUPS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Groups of triangles without common vertices, so that threads add to the vertices without meeting; the triangles
+// between groups come after them. A group is what lies within a range of positions: in a nested dissection, that is
+// most. The same groups for any number of threads.
+class Triangle_groups
+{
+public:
+  Triangle_groups() = default;
+
+  // `positions`: per vertex, below `number_of_positions`, or negative where nothing is added.
+  Triangle_groups(const std::vector<Triangle>& triangles, const std::vector<int>& positions, int number_of_positions)
+  {
+    constexpr int most_groups = 32, smallest_group = 2048; // positions: of smaller ones, too many are at the edge
+    const int size = (std::max)(smallest_group, number_of_positions / most_groups + 1);
+    const int n = (number_of_positions + size - 1) / size;
+    const auto group = [&](const Triangle& t)
+    {
+      int result = -1;
+      for(int v : t)
+        if(positions[v] >= 0)
+        {
+          const int g = positions[v] / size;
+          if(result >= 0 && result != g)
+            return n;
+          result = g;
+        }
+      return result < 0 ? n : result;
+    };
+    m_starts.assign(n + 2, 0);
+    for(const Triangle& t : triangles)
+      ++m_starts[group(t) + 1];
+    for(int g = 0; g <= n; ++g)
+      m_starts[g + 1] += m_starts[g];
+    m_triangles.resize(triangles.size());
+    std::vector<int> ends(m_starts.begin(), m_starts.end() - 1);
+    for(int f = 0; f < int(triangles.size()); ++f)
+      m_triangles[ends[group(triangles[f])]++] = f;
+  }
+
+  // Calls `add(f)` for each triangle and adds up what it returns.
+  template <typename Add>
+  double sum(Execution execution, const Add& add) const
+  {
+    const int n = int(m_starts.size()) - 2; // the last group is the one of those between the others
+    std::vector<double> sums(n + 1, 0);
+    const auto sum_group = [&](int g)
+    {
+      for(int i = m_starts[g]; i < m_starts[g + 1]; ++i)
+        sums[g] += add(m_triangles[i]);
+    };
+    execute(execution, n, sum_group);
+    sum_group(n);
+    double total = 0;
+    for(double s : sums)
+      total += s;
+    return total;
+  }
+
+private:
+  std::vector<int> m_starts, m_triangles;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_TRIANGLE_GROUPS_H
