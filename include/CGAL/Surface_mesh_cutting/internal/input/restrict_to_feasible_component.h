@@ -109,12 +109,12 @@ private:
 inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, const Topology& topology,
                                    const std::vector<int>& terminals, Edge_constraints& constraints)
 {
+  if(!has_forbidden_sides(constraints))
+    return Indexed_status();
   std::vector<int> forbidden;
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(!mesh.is_border_edge(e) && constraints.is_forbidden(e))
       forbidden.push_back(e);
-  if(forbidden.empty())
-    return Indexed_status();
 
   const Islands islands(mesh, constraints);
   const bool is_closed = topology.border_loops == 0;
