@@ -157,9 +157,9 @@ void test_quad(const Mesh& mesh)
     diagonals += adapter.is_diagonal(e);
   assert(diagonals == 1 && flat.number_of_edges() == int(edges(mesh).size()) + 1);
 
-  std::set<typename boost::graph_traits<Mesh>::edge_descriptor> cut_edges;
+  std::map<typename boost::graph_traits<Mesh>::edge_descriptor, bool> cut_edges;
   const Cut all(flat.number_of_edges(), 1);
-  auto cut_map = CGAL::make_boolean_property_map(cut_edges);
+  auto cut_map = boost::make_assoc_property_map(cut_edges);
   adapter.write_cut(all, cut_map);
   assert(cut_edges.size() == edges(mesh).size());
   const Cut cut = adapter.read_cut(cut_map);

@@ -25,11 +25,12 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
     out << "vt " << uv[0] << " " << uv[1] << "\n";
   if(!material_file.empty())
     out << "usemtl " << material_name << "\n";
-  for(std::size_t f = 0; f < layout.triangles.size(); ++f)
+  std::size_t corner = 0;
+  for(const std::size_t end : layout.polygon_ends)
   {
     out << "f";
-    for(std::size_t k = 0; k < 3; ++k)
-      out << " " << layout.triangles[f][k] + 1 << "/" << layout.uv_triangles[f][k] + 1;
+    for(; corner < end; ++corner)
+      out << " " << layout.corners[corner] + 1 << "/" << layout.corner_uvs[corner] + 1;
     out << "\n";
   }
   return out.text();

@@ -71,6 +71,9 @@ public:
   halfedge_descriptor to_halfedge(int h) const { return m_halfedges[to_side(h)]; }
   edge_descriptor to_edge(int e) const { return edge(to_halfedge(mesh().halfedge(e)), m_tmesh); }
 
+  // The halfedge of the caller's mesh that leads to the corner from which a halfedge of the indexed mesh starts.
+  halfedge_descriptor to_halfedge_at_source(int h) const { return prev(m_halfedges[to_corner(h)], m_tmesh); }
+
   // Marks on border edges are ignored.
   template <typename EdgeIsCutMap>
   Cut read_cut(EdgeIsCutMap edge_is_cut_map) const
@@ -224,9 +227,6 @@ private:
       refuse_polygons(Status_code::NON_MANIFOLD, "faces whose neighbors do not refer back to them",
                       std::move(misfits));
   }
-
-  // The halfedge of the caller's mesh that leads to the corner from which a halfedge of the indexed mesh starts.
-  halfedge_descriptor to_halfedge_at_source(int h) const { return prev(m_halfedges[to_corner(h)], m_tmesh); }
 
   const TriangleMesh& m_tmesh;
   std::vector<vertex_descriptor> m_vertices;
