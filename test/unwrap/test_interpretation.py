@@ -1,6 +1,7 @@
 """Meshes that are no manifolds of triangles: nothing is repaired, everything is interpreted."""
 
 import random
+import re
 from collections import Counter
 
 from support import Case, joined, main, octahedron, read_obj, selection, sphere, to_binary_stl, to_obj, to_off, torus
@@ -109,6 +110,37 @@ class Interpretation(Case):
         self.write("a.stl", to_binary_stl(SPHERE))
         self.assertEqual(self.report("a.stl")[1]["components"], 1)
         self.assertEqual(self.report("a.stl", "--weld", "off")[1]["components"], len(SPHERE[1]))
+
+    def test_obj_keeps_what_it_says(self):
+        lines = ["# made by a test", "mtllib a.mtl", "o thing"]
+        lines += ["v " + " ".join(map(repr, point)) + " 0.5 0.25 1" for point in SPHERE[0]]
+        lines += ["vt 0 0"] + ["vn " + " ".join(map(repr, point)) for point in SPHERE[0]]
+        for i, face in enumerate(SPHERE[1]):
+            lines += {0: ["g first half", "usemtl red"], 40: ["s 1"], 64: ["g", "usemtl blue"]}.get(i, [])
+            lines.append("f " + " ".join(f"{v + 1}/1/{v + 1}" for v in face))
+        self.write("in.obj", "\n".join(lines) + "\n")
+        exit_code, report = self.report("in.obj", "-o", "out.obj")
+        self.assertEqual(exit_code, 0, report["message"])
+
+        def kept(path):  # without texture points
+            result = []
+            for line in path.read_text().splitlines():
+                if line.startswith("f "):
+                    line = re.sub("/[0-9]+/", "//", line)
+                if not line.startswith(("#", "vt ")):
+                    result.append(line)
+            return result
+
+        before, after = kept(self.folder / "in.obj"), kept(self.folder / "out.obj")
+        for keyword in ("v ", "vn ", "f "):
+            self.assertEqual([line for line in after if line.startswith(keyword)],
+                             [line for line in before if line.startswith(keyword)])
+        statements = ("f", "g", "o", "s", "usemtl", "mtllib")
+        self.assertEqual([line for line in after if line.split()[0] in statements],
+                         [line for line in before if line.split()[0] in statements])
+        self.report("in.obj", "-o", "out.obj", "--texture", "check.png")
+        self.assertIn("mtllib out.mtl", kept(self.folder / "out.obj"))
+        self.assertNotIn("usemtl red", kept(self.folder / "out.obj"))
 
     def test_constraints_name_edges_of_the_input(self):
         points, faces = joined(octahedron(), octahedron())

@@ -3,6 +3,8 @@
 #ifndef UNWRAP_LAYOUT_H
 #define UNWRAP_LAYOUT_H
 
+#include "Polygon_soup.h"
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -17,6 +19,7 @@ struct Layout
   std::vector<int> corners;
   std::vector<std::size_t> polygon_ends;
   std::vector<int> corner_uvs;
+  Obj_statements obj_statements;
 
   // The polygons of the surface in triangles that face up.
   std::vector<Triangle> triangles;

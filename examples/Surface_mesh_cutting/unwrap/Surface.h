@@ -6,6 +6,7 @@
 #include "Mesh.h"
 #include "Polygon_soup.h"
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,9 +32,15 @@ struct Surface
   std::vector<Halfedge> halfedges; // per corner of the soup, the one to the corner whose UV it has
   std::vector<Interpretation> interpreted;
 
+  // Whether vertices and faces have the same numbers in both.
   bool is_like_soup(const Polygon_soup& soup) const
   {
-    return vertices.size() == soup.points.size() && polygons.size() == soup.polygon_ends.size();
+    if(vertices.size() != soup.points.size() || polygons.size() != soup.polygon_ends.size())
+      return false;
+    for(std::size_t v = 0; v < vertices.size(); ++v)
+      if(vertices[v] != int(v))
+        return false;
+    return true;
   }
 };
 

@@ -29,6 +29,7 @@ public:
     m_layout.points = m_soup.points;
     m_layout.corners = m_soup.corners;
     m_layout.polygon_ends = m_soup.polygon_ends;
+    m_layout.obj_statements = m_soup.obj_statements;
     for(const Halfedge h : m_surface.halfedges)
     {
       if(m_uv_vertices[h] < 0)

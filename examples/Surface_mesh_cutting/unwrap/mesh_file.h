@@ -18,6 +18,7 @@ struct Attributes
 {
   bool has_colors = false, has_uvs = false;
   bool has_merged_points = true; // of STL
+  bool has_statements = false;   // of OBJ
 };
 
 // Reads OFF, OBJ, PLY, STL, and what else CGAL reads. Points and polygons keep number and order;

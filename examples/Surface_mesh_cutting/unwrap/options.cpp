@@ -312,7 +312,7 @@ Attributes wanted_attributes(const Options& options)
 {
   const auto is_colors = [](const Weight_choice& choice) { return choice.kind == Weight_choice::Kind::COLORS; };
   return {std::any_of(options.edge_weights.begin(), options.edge_weights.end(), is_colors),
-          options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off"};
+          options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off", true};
 }
 
 std::vector<std::string> constraint_files(const Options& options)

@@ -90,6 +90,24 @@ Witness witness_of(const SMC::Finding<Mesh>& finding, const Surface& surface)
   return witness;
 }
 
+// The library counts elements of the mesh; where that is not like the soup, the message names those of the soup.
+std::string message_of(const SMC::Finding<Mesh>& finding, const Surface& surface, bool is_like_soup)
+{
+  const Witness witness = witness_of(finding, surface);
+  const std::size_t names = finding.message.rfind(": ");
+  if(is_like_soup || witness.indices.empty() || names == std::string::npos)
+    return finding.message;
+  constexpr std::size_t maximum = 5;
+  const bool is_edge = witness.kind == Witness::Kind::EDGES;
+  const std::size_t count = witness.indices.size() / (is_edge ? 2 : 1);
+  std::string text = finding.message.substr(0, finding.message.find(' ', names + 2));
+  for(std::size_t i = 0; i < (std::min)(count, maximum); ++i)
+    text += (i == 0 ? " " : ", ")
+            + (is_edge ? std::to_string(witness.indices[2 * i]) + "-" + std::to_string(witness.indices[2 * i + 1])
+                       : std::to_string(witness.indices[i]));
+  return count > maximum ? text + " and " + std::to_string(count - maximum) + " more" : text;
+}
+
 Phase_seconds phase_seconds(const SMC::Phase_times& times)
 {
   return {times.candidates, times.filter, times.connect, times.refine, times.parameterize,
@@ -106,13 +124,13 @@ std::string summary(const Outcome& outcome)
   return text.str();
 }
 
-void tell(const Result& result, const Surface& surface, Outcome& outcome)
+void tell(const Result& result, const Surface& surface, bool is_like_soup, Outcome& outcome)
 {
   outcome.exit_code = exit_code_of(result.status.code);
-  outcome.message = result.status.message;
+  outcome.message = message_of(result.status, surface, is_like_soup);
   outcome.witness = witness_of(result.status, surface);
   for(const SMC::Finding<Mesh>& warning : result.status.warnings)
-    outcome.warnings.push_back(warning.message);
+    outcome.warnings.push_back(message_of(warning, surface, is_like_soup));
   outcome.has_result = result.has_result;
 
   outcome.components = result.components;
@@ -229,7 +247,7 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   const Constraints constraints = read_constraints(options, soup, surface);
   outcome.warnings = constraints.warnings;
   const Result result = run_library(mesh, options, constraints, is_cut, uvs);
-  tell(result, surface, outcome);
+  tell(result, surface, surface.is_like_soup(soup), outcome);
   if(!outcome.has_result)
     return {};
 
