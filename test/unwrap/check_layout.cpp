@@ -16,14 +16,11 @@ using Segment = std::array<Point, 2>;
 
 bool is_the_surface(const Layout& layout, const Polygon_soup& soup)
 {
-  if(layout.points != soup.points || layout.triangles.size() != soup.polygon_ends.size()
-     || layout.uv_triangles.size() != layout.triangles.size())
-    return false;
-  for(std::size_t f = 0; f < layout.triangles.size(); ++f)
-    for(int k = 0; k < 3; ++k)
-      if(layout.triangles[f][std::size_t(k)] != soup.corner(int(f), k))
-        return false;
-  return true;
+  const auto is_uv_point = [&](int uv) { return uv >= 0 && uv < int(layout.uv_points.size()); };
+  return layout.points == soup.points && layout.corners == soup.corners && layout.polygon_ends == soup.polygon_ends
+         && layout.corner_uvs.size() == soup.corners.size()
+         && std::all_of(layout.corner_uvs.begin(), layout.corner_uvs.end(), is_uv_point)
+         && layout.uv_triangles.size() == layout.triangles.size() && !layout.triangles.empty();
 }
 
 bool is_finite(const std::array<double, 2>& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }

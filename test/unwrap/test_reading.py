@@ -100,12 +100,14 @@ UNSUPPORTED = {  # with the kind of the witness
     "no_faces.ply": (to_ply((SPHERE[0], []), "binary_little_endian"), None),
     "nothing.off": ("OFF\n0 0 0\n", None),
     "no_faces.stl": (bytes(84), None),
-    "quad.off": (to_off((SPHERE[0], [(0, 1, 2, 3)])), "faces"),
-    "quad.obj": (to_obj((SPHERE[0], [(0, 1, 2, 3)])), "faces"),
-    "segment.off": (to_off((SPHERE[0], [(0, 1)])), "faces"),
     "nan.off": (to_off(SPHERE).replace("0.0", "nan", 1), "vertices"),
     "infinite.obj": (to_obj(SPHERE).replace("0.0", "-inf", 1), "vertices"),
     "too_large.off": (to_off(SPHERE).replace("0.0", "1e999", 1), "vertices"),
+}
+REFUSED_IF_STRICT = {
+    "quad.off": (to_off((SPHERE[0], [(0, 1, 2, 3)])), "faces"),
+    "quad.obj": (to_obj((SPHERE[0], [(0, 1, 2, 3)])), "faces"),
+    "segment.off": (to_off((SPHERE[0], [SPHERE[1][0], (0, 1)])), "faces"),
     "repeated.off": (to_off((SPHERE[0], SPHERE[1] + [(0, 1, 1)])), "faces"),
     "twice.off": (to_off((SPHERE[0], SPHERE[1] + [SPHERE[1][5]])), "faces"),
     "fin.off": (to_off((SPHERE[0] + [(9, 9, 9)], SPHERE[1] + [(*SPHERE[1][0][:2], 18)])), "edges"),
@@ -213,21 +215,31 @@ class Reading(Case):
     def test_unsupported(self):
         for name, (content, kind) in UNSUPPORTED.items():
             with self.subTest(name=name):
-                report = self.assert_refused(4, self.write(name, content))
-                witness = report["witness"]
-                self.assertEqual(witness and witness["kind"], kind)
-                if witness:
-                    self.assertIn(str(witness["indices"][0]), report["message"])
+                self.assert_unsupported(kind, self.write(name, content))
+
+    def test_unsupported_if_strict(self):
+        for name, (content, kind) in REFUSED_IF_STRICT.items():
+            with self.subTest(name=name):
+                self.assert_unsupported(kind, self.write(name, content), "--strict")
+                self.assertEqual(self.report(name, "-o", "out.obj")[0], 0)
+                (self.folder / "out.obj").unlink()
+
+    def assert_unsupported(self, kind, *arguments):
+        report = self.assert_refused(4, *arguments)
+        witness = report["witness"]
+        self.assertEqual(witness and witness["kind"], kind)
+        if witness:
+            self.assertIn(str(witness["indices"][0]), report["message"])
 
     def test_touching_vertex(self):
         faces = [tuple(0 if v == 7 else v for v in face) for face in TOUCHING[1]]
-        report = self.assert_refused(4, self.write("a.off", to_off((TOUCHING[0], faces))))
+        report = self.assert_refused(4, self.write("a.off", to_off((TOUCHING[0], faces))), "--strict")
         self.assertEqual(report["witness"], {"kind": "vertices", "indices": [0]})
 
     def test_witnesses(self):
-        report = self.assert_refused(4, self.write("a.off", UNSUPPORTED["twice.off"][0]))
+        report = self.assert_refused(4, self.write("a.off", REFUSED_IF_STRICT["twice.off"][0]), "--strict")
         self.assertEqual(report["witness"]["indices"], [5, 32])
-        report = self.assert_refused(4, self.write("a.off", UNSUPPORTED["fin.off"][0]))
+        report = self.assert_refused(4, self.write("a.off", REFUSED_IF_STRICT["fin.off"][0]), "--strict")
         self.assertEqual(sorted(report["witness"]["indices"]), sorted(SPHERE[1][0][:2]))
 
     def test_any_topology(self):

@@ -8,44 +8,48 @@
 
 namespace {
 
-void mark_seams(const std::string& option, const Polygon_soup& soup, const Mesh& mesh,
+void mark_seams(const std::string& option, const Polygon_soup& soup, const Surface& surface,
                 Mesh::Property_map<Edge, bool> is_marked, std::vector<std::string>& warnings)
 {
-  const std::vector<Edge> seams = uv_seams(option, soup, mesh);
+  const std::vector<Edge> seams = uv_seams(option, soup, surface);
   for(const Edge e : seams)
     is_marked[e] = true;
   if(seams.empty())
     warnings.push_back(option + ": the texture coordinates of the input have no seam");
 }
 
-void mark_edges(const std::string& option, const std::string& path, const Mesh& mesh,
+void mark_edges(const std::string& option, const std::string& path, const Named_elements& names,
                 Mesh::Property_map<Edge, bool> is_marked, std::vector<std::string>& warnings)
 {
   if(path.empty())
     return;
   const Selection selection = read_selection(path);
   for(const Vertex_pair& pair : selection.edges)
-    is_marked[find_edge(path, pair, mesh)] = true;
+    for(const Edge e : names.find_edges(path, pair))
+      is_marked[e] = true;
   if(selection.edges.empty())
     warnings.push_back(option + ": no edge is selected in " + path);
 }
 
-void mark_vertices(const std::string& option, const std::string& path, const Mesh& mesh,
+void mark_vertices(const std::string& option, const std::string& path, const Named_elements& names,
                    Mesh::Property_map<Vertex, bool> is_marked, std::vector<std::string>& warnings)
 {
   if(path.empty())
     return;
   const Selection selection = read_selection(path);
   for(const int v : selection.vertices)
-    is_marked[find_vertex(path, v, mesh)] = true;
+    for(const Vertex copy : names.find_vertices(path, v))
+      is_marked[copy] = true;
   if(selection.vertices.empty())
     warnings.push_back(option + ": no vertex is selected in " + path);
 }
 
 } // namespace
 
-Constraints read_constraints(const Options& options, const Polygon_soup& soup, Mesh& mesh)
+Constraints read_constraints(const Options& options, const Polygon_soup& soup, Surface& surface)
 {
+  Mesh& mesh = surface.mesh;
+  const Named_elements names(soup, surface);
   Constraints constraints;
   constraints.must_be_cut = mesh.add_property_map<Edge, bool>("e:must_be_cut", false).first;
   constraints.must_not_be_cut = mesh.add_property_map<Edge, bool>("e:must_not_be_cut", false).first;
@@ -55,19 +59,19 @@ Constraints read_constraints(const Options& options, const Polygon_soup& soup, M
     = [&](const std::string& option, const std::string& value, Mesh::Property_map<Edge, bool> is_marked)
   {
     if(value == seams_of_input)
-      mark_seams(option, soup, mesh, is_marked, constraints.warnings);
+      mark_seams(option, soup, surface, is_marked, constraints.warnings);
     else
-      mark_edges(option, value, mesh, is_marked, constraints.warnings);
+      mark_edges(option, value, names, is_marked, constraints.warnings);
   };
   mark_edges_or_seams("--must-cut", options.must_cut, constraints.must_be_cut);
-  mark_edges("--never-cut", options.never_cut, mesh, constraints.must_not_be_cut, constraints.warnings);
+  mark_edges("--never-cut", options.never_cut, names, constraints.must_not_be_cut, constraints.warnings);
   mark_edges_or_seams("--initial-cut", options.initial_cut, constraints.is_initially_cut);
-  mark_vertices("--terminals", options.terminals, mesh, constraints.is_terminal, constraints.warnings);
+  mark_vertices("--terminals", options.terminals, names, constraints.is_terminal, constraints.warnings);
   end_if_stop_is_requested();
   if(options.edge_weights.empty())
     return constraints;
 
   constraints.weights = mesh.add_property_map<Edge, double>("e:weight", 0).first;
-  weigh_edges(options.edge_weights, soup, mesh, *constraints.weights);
+  weigh_edges(options.edge_weights, soup, surface, *constraints.weights);
   return constraints;
 }

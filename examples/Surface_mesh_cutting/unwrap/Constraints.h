@@ -3,8 +3,8 @@
 #ifndef UNWRAP_CONSTRAINTS_H
 #define UNWRAP_CONSTRAINTS_H
 
-#include "Mesh.h"
 #include "Polygon_soup.h"
+#include "Surface.h"
 #include "options.h"
 
 #include <optional>
@@ -19,9 +19,9 @@ struct Constraints
   std::vector<std::string> warnings;
 };
 
-// `soup` is what the mesh is made from. Throws a `Failure`: `Exit_code::UNREADABLE` if a file cannot be read or
+// `surface` is read from the soup. Throws a `Failure`: `Exit_code::UNREADABLE` if a file cannot be read or
 // has an index out of range, `Exit_code::UNSUPPORTED` if it names an edge that the mesh does not have, or if the
 // input has no texture coordinates or colors that are asked for.
-Constraints read_constraints(const Options& options, const Polygon_soup& soup, Mesh& mesh);
+Constraints read_constraints(const Options& options, const Polygon_soup& soup, Surface& surface);
 
 #endif // UNWRAP_CONSTRAINTS_H

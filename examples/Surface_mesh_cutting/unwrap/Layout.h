@@ -1,9 +1,12 @@
-// A surface and the plane layout of its triangles, as the writers need them.
+// A surface and the plane layout of its polygons and triangles, as the writers need them.
 
 #ifndef UNWRAP_LAYOUT_H
 #define UNWRAP_LAYOUT_H
 
+#include "Polygon_soup.h"
+
 #include <array>
+#include <cstddef>
 #include <vector>
 
 struct Layout
@@ -12,6 +15,13 @@ struct Layout
   using Edge = std::array<int, 2>;
 
   std::vector<std::array<double, 3> > points;
+  // All polygons as the file lists them: the points of their corners, where those of each one end, and the UV vertices.
+  std::vector<int> corners;
+  std::vector<std::size_t> polygon_ends;
+  std::vector<int> corner_uvs;
+  Obj_statements obj_statements;
+
+  // The polygons of the surface in triangles that face up.
   std::vector<Triangle> triangles;
 
   // One point per UV vertex: corners share it unless a cut edge lies between them.

@@ -6,7 +6,23 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
+
+// What an OBJ file says besides points, polygons and texture points, to be written again.
+struct Obj_statements
+{
+  struct Line
+  {
+    int polygon; // before which it stands
+    std::string text;
+  };
+
+  std::vector<Line> lines; // of groups, objects, smoothing and materials
+  std::vector<std::string> normals;
+  std::vector<int> corner_normals;     // per corner, -1 for none; empty if no corner has one
+  std::vector<std::string> point_ends; // per point, what follows the coordinates; empty if nothing does
+};
 
 struct Polygon_soup
 {
@@ -20,6 +36,7 @@ struct Polygon_soup
   // What was asked for besides; empty if the file does not have it.
   std::vector<double> reds; // per point, the red channel of its color, from 0 to 1
   std::vector<std::optional<Texture_point> > corner_uvs; // per corner
+  Obj_statements obj_statements;
 
   // Makes a polygon of the corners added since the last call.
   void close_polygon() { polygon_ends.push_back(corners.size()); }

@@ -39,6 +39,16 @@ Json to_json(const Witness& witness)
   return nullptr;
 }
 
+Json to_json(const std::vector<Interpretation>& interpreted)
+{
+  Json result = Json::array();
+  for(const Interpretation& i : interpreted)
+    result.push_back({{"what", i.what},
+                      {"count", i.count()},
+                      {"elements", i.edges.empty() ? Json(i.elements) : Json(i.edges)}});
+  return result;
+}
+
 double peak_memory_in_megabytes()
 {
   rusage usage = {};
@@ -72,6 +82,8 @@ std::string to_json(const Outcome& outcome)
     {"witness", to_json(outcome.witness)},
     {"vertices", to_json(outcome.vertices)},
     {"faces", to_json(outcome.faces)},
+    {"polygons", to_json(outcome.polygons)},
+    {"interpreted", to_json(outcome.interpreted)},
     {"components", to_json(outcome.components)},
     {"genus", to_json(outcome.genus)},
     {"borders", to_json(outcome.borders)},

@@ -2,30 +2,47 @@
 
 #include "outcome.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <array>
 #include <cmath>
 
 namespace {
 
-// Numbers the UV vertices in the order in which the faces meet them.
+namespace SMC = CGAL::Surface_mesh_cutting;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using Point_map = Mesh::Property_map<Vertex, Kernel::Point_3>;
+
+// Numbers the UV vertices in the order in which the polygons meet them.
 class Layout_builder
 {
 public:
-  Layout_builder(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup)
-    : m_mesh(mesh), m_is_cut(is_cut), m_uvs(uvs), m_soup(soup),
-      m_uv_vertices(mesh.num_halfedges(), -1)
+  Layout_builder(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup)
+    : m_surface(surface), m_mesh(surface.mesh), m_is_cut(is_cut), m_uvs(uvs), m_soup(soup),
+      m_uv_vertices(m_mesh.num_halfedges(), -1)
   {}
 
   Layout build()
   {
     m_layout.points = m_soup.points;
-    for(const Face f : m_mesh.faces())
-      add_face(f);
+    m_layout.corners = m_soup.corners;
+    m_layout.polygon_ends = m_soup.polygon_ends;
+    m_layout.obj_statements = m_soup.obj_statements;
+    for(const Halfedge h : m_surface.halfedges)
+    {
+      if(m_uv_vertices[h] < 0)
+        add_uv_vertex(h);
+      m_layout.corner_uvs.push_back(m_uv_vertices[h]);
+    }
+    add_triangles();
     for(const Halfedge h : m_mesh.halfedges())
       if(!m_mesh.is_border(h) && is_separated(h))
         m_layout.chart_borders.push_back({{m_uv_vertices[m_mesh.prev(h)], m_uv_vertices[h]}});
     for(const Edge e : m_mesh.edges())
       if(get(m_is_cut, e))
-        m_layout.cut.push_back({{int(m_mesh.vertex(e, 0)), int(m_mesh.vertex(e, 1))}});
+        m_layout.cut.push_back({{m_surface.vertices[m_mesh.vertex(e, 0)], m_surface.vertices[m_mesh.vertex(e, 1)]}});
     return std::move(m_layout);
   }
 
@@ -35,18 +52,37 @@ private:
     return m_mesh.is_border(m_mesh.edge(h)) || get(m_is_cut, m_mesh.edge(h));
   }
 
-  void add_face(Face f)
+  // Triangles as the library makes them, which are those for which it proves the map.
+  void add_triangles()
+  {
+    if(CGAL::is_triangle_mesh(m_mesh))
+    {
+      for(const Face f : m_mesh.faces())
+        add_triangle(halfedges_from_file(f));
+      return;
+    }
+    const SMC::internal::Mesh_adapter<Mesh, Point_map> adapter(m_mesh, m_mesh.points());
+    for(int t = 0; t < adapter.mesh().number_of_faces(); ++t)
+      add_triangle({{adapter.to_halfedge_at_source(3 * t), adapter.to_halfedge_at_source(3 * t + 1),
+                     adapter.to_halfedge_at_source(3 * t + 2)}});
+  }
+
+  // The halfedges to the corners of a triangle, from the one with which the file begins the face.
+  std::array<Halfedge, 3> halfedges_from_file(Face f) const
+  {
+    Halfedge h = m_mesh.halfedge(f);
+    while(m_surface.corners[h] != int(m_soup.first_corner(m_surface.polygons[f])))
+      h = m_mesh.next(h);
+    return {{h, m_mesh.next(h), m_mesh.prev(h)}};
+  }
+
+  void add_triangle(const std::array<Halfedge, 3>& to_corners)
   {
     Layout::Triangle triangle, uv_triangle;
-    Halfedge h = m_mesh.halfedge(f);
-    while(int(m_mesh.target(h)) != m_soup.corner(int(f), 0)) // where the file begins the face
-      h = m_mesh.next(h);
-    for(std::size_t k = 0; k < 3; ++k, h = m_mesh.next(h))
+    for(std::size_t k = 0; k < 3; ++k)
     {
-      if(m_uv_vertices[h] < 0)
-        add_uv_vertex(h);
-      triangle[k] = int(m_mesh.target(h));
-      uv_triangle[k] = m_uv_vertices[h];
+      triangle[k] = m_soup.corners[std::size_t(m_surface.corners[to_corners[k]])];
+      uv_triangle[k] = m_uv_vertices[to_corners[k]];
     }
     m_layout.triangles.push_back(triangle);
     m_layout.uv_triangles.push_back(uv_triangle);
@@ -74,6 +110,7 @@ private:
     m_layout.uv_points.push_back({{uv.x(), uv.y()}});
   }
 
+  const Surface& m_surface;
   const Mesh& m_mesh;
   Cut_map m_is_cut;
   UV_map m_uvs;
@@ -82,9 +119,32 @@ private:
   Layout m_layout;
 };
 
+// Of each triangle.
+std::vector<double> distortions(const Layout& layout)
+{
+  using SMP::internal::Symmetric_Dirichlet_energy;
+  SMP::internal::Corners corners;
+  for(std::size_t t = 0; t < layout.triangles.size(); ++t)
+  {
+    const int first = int(3 * t);
+    corners.triangles.push_back({{first, first + 1, first + 2}});
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const std::array<double, 3>& p = layout.points[std::size_t(layout.triangles[t][k])];
+      const std::array<double, 2>& uv = layout.uv_points[std::size_t(layout.uv_triangles[t][k])];
+      corners.points.emplace_back(p[0], p[1], p[2]);
+      corners.uv.emplace_back(uv[0], uv[1]);
+    }
+  }
+  corners.normalize();
+  return SMP::internal::face_energies<Symmetric_Dirichlet_energy>(corners.shapes(), corners.triangles, corners.uv);
+}
+
 } // namespace
 
-Layout make_layout(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup)
+Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup)
 {
-  return Layout_builder(mesh, is_cut, uvs, soup).build();
+  Layout layout = Layout_builder(surface, is_cut, uvs, soup).build();
+  layout.distortions = distortions(layout);
+  return layout;
 }

@@ -2,12 +2,12 @@
 #define UNWRAP_MAKE_LAYOUT_H
 
 #include "Layout.h"
-#include "Mesh.h"
 #include "Polygon_soup.h"
+#include "Surface.h"
 
-// The layout as it is to be written, with the vertices and triangles of `soup`, of which `mesh` was
-// made. Feature points and distortions are left to the caller.
+// The layout as it is to be written, with the vertices and polygons of `soup`, from which `surface` was
+// read. Feature points are left to the caller.
 // Throws a `Failure` if the UVs are not those of a layout cut exactly at the marked edges.
-Layout make_layout(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup);
+Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup);
 
 #endif // UNWRAP_MAKE_LAYOUT_H

@@ -14,8 +14,6 @@ namespace {
 
 using Reader = Polygon_soup (*)(std::string_view, Attributes);
 
-Polygon_soup read_stl_without_attributes(std::string_view bytes, Attributes) { return read_stl(bytes); }
-
 Reader find_reader_by_extension(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -24,7 +22,7 @@ Reader find_reader_by_extension(const std::string& path)
   return extension == ".off" ? read_off
        : extension == ".obj" ? read_obj
        : extension == ".ply" ? read_ply
-       : extension == ".stl" ? read_stl_without_attributes : nullptr;
+       : extension == ".stl" ? read_stl : nullptr;
 }
 
 Reader find_reader_by_content(std::string_view bytes)
@@ -32,7 +30,7 @@ Reader find_reader_by_content(std::string_view bytes)
   const std::string_view word = Text_scanner(without_byte_order_mark(bytes)).word();
   return word == "OFF" ? read_off
        : word == "ply" ? read_ply
-       : starts_text_stl(bytes) ? read_stl_without_attributes : nullptr;
+       : starts_text_stl(bytes) ? read_stl : nullptr;
 }
 
 } // namespace

@@ -17,10 +17,12 @@
 struct Attributes
 {
   bool has_colors = false, has_uvs = false;
+  bool has_merged_points = true; // of STL
+  bool has_statements = false;   // of OBJ
 };
 
 // Reads OFF, OBJ, PLY, STL, and what else CGAL reads. Points and polygons keep number and order;
-// only for STL, which has no indices, exactly equal points become one.
+// only for STL, which has no indices, exactly equal points become one unless asked otherwise.
 // Throws a `Failure` with `Exit_code::UNREADABLE`.
 Polygon_soup read_mesh_file(const std::string& path, Attributes attributes = {});
 
@@ -31,7 +33,7 @@ void check_indices(const Polygon_soup& soup);
 Polygon_soup read_off(std::string_view text, Attributes attributes = {});
 Polygon_soup read_obj(std::string_view text, Attributes attributes = {});
 Polygon_soup read_ply(std::string_view bytes, Attributes attributes = {});
-Polygon_soup read_stl(std::string_view bytes);
+Polygon_soup read_stl(std::string_view bytes, Attributes attributes = {});
 
 // Whether the first word is the one with which an STL file of text starts.
 bool starts_text_stl(std::string_view bytes);

@@ -4,12 +4,46 @@
 #include "texture.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace {
 
-void write_point(const std::array<double, 3>& point, Number_writer& out)
+void write_point(const std::array<double, 3>& point, std::string_view end, Number_writer& out)
 {
-  out << "v " << point[0] << " " << point[1] << " " << point[2] << "\n";
+  out << "v " << point[0] << " " << point[1] << " " << point[2] << end << "\n";
+}
+
+void write_points(const Layout& layout, Number_writer& out)
+{
+  const std::vector<std::string>& ends = layout.obj_statements.point_ends;
+  for(std::size_t v = 0; v < layout.points.size(); ++v)
+    write_point(layout.points[v], ends.empty() ? std::string_view() : ends[v], out);
+}
+
+void write_polygons(const Layout& layout, bool has_own_material, Number_writer& out)
+{
+  const Obj_statements& statements = layout.obj_statements;
+  std::size_t corner = 0;
+  auto line = statements.lines.begin();
+  const auto write_lines_before = [&](int polygon)
+  {
+    for(; line != statements.lines.end() && line->polygon <= polygon; ++line)
+      if(!has_own_material || (line->text.rfind("usemtl", 0) != 0 && line->text.rfind("mtllib", 0) != 0))
+        out << line->text << "\n";
+  };
+  for(std::size_t polygon = 0; polygon < layout.polygon_ends.size(); ++polygon)
+  {
+    write_lines_before(int(polygon));
+    out << "f";
+    for(; corner < layout.polygon_ends[polygon]; ++corner)
+    {
+      out << " " << layout.corners[corner] + 1 << "/" << layout.corner_uvs[corner] + 1;
+      if(!statements.corner_normals.empty() && statements.corner_normals[corner] >= 0)
+        out << "/" << statements.corner_normals[corner] + 1;
+    }
+    out << "\n";
+  }
+  write_lines_before(int(layout.polygon_ends.size()));
 }
 
 } // namespace
@@ -19,19 +53,14 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
   Number_writer out;
   if(!material_file.empty())
     out << "mtllib " << material_file << "\n";
-  for(const auto& point : layout.points)
-    write_point(point, out);
+  write_points(layout, out);
   for(const auto& uv : layout.uv_points)
     out << "vt " << uv[0] << " " << uv[1] << "\n";
+  for(const std::string& normal : layout.obj_statements.normals)
+    out << "vn " << normal << "\n";
   if(!material_file.empty())
     out << "usemtl " << material_name << "\n";
-  for(std::size_t f = 0; f < layout.triangles.size(); ++f)
-  {
-    out << "f";
-    for(std::size_t k = 0; k < 3; ++k)
-      out << " " << layout.triangles[f][k] + 1 << "/" << layout.uv_triangles[f][k] + 1;
-    out << "\n";
-  }
+  write_polygons(layout, !material_file.empty(), out);
   return out.text();
 }
 
@@ -47,7 +76,7 @@ std::string cut_to_obj(const Layout& layout)
 
   Number_writer out;
   for(const int vertex : vertices)
-    write_point(layout.points[std::size_t(vertex)], out);
+    write_point(layout.points[std::size_t(vertex)], "", out);
   for(const Layout::Edge& edge : layout.cut)
     out << "l " << position(edge[0]) + 1 << " " << position(edge[1]) + 1 << "\n";
   for(const int vertex : layout.feature_points)

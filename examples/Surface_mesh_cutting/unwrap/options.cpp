@@ -18,13 +18,18 @@
 namespace {
 
 const char* const description =
-  "Unwraps a triangle mesh: finds a short cut along which the surface opens and flattens with little\n"
+  "Unwraps a mesh: finds a short cut along which the surface opens and flattens with little\n"
   "distortion, and writes the mesh with texture coordinates.\n";
 
 const char* const footer = R"(
-Input: OFF, OBJ, PLY, STL, and whatever else CGAL reads. The mesh must be a consistently oriented
-manifold of triangles. Nothing is repaired: vertices and faces keep their number and order (only
-STL, which has no indices, gets its equal points merged).
+Input: OFF, OBJ, PLY, STL, and whatever else CGAL reads. Nothing is repaired, everything is
+interpreted: vertices and faces keep their number and order (only STL, which has no indices, gets
+its equal points merged). Faces may have any number of corners; they are never cut across. Edges
+with more than two faces keep pairs of them connected and are open to the others; vertices of
+several fans are as many vertices; where neighbors disagree about which side is up, as few
+faces as possible are read backward; faces with a vertex twice, and faces given again, get the
+texture coordinates of the place where they lie. The report lists all this in "interpreted";
+--strict refuses it.
 
 Output: texture coordinates are at the scale of the surface. Corners share one unless a cut edge
 lies between them. Either all files appear, when the run is complete, or none.
@@ -54,9 +59,9 @@ Exit status:
   0  done
   2  wrong usage, or an output cannot be written
   3  the input cannot be read, is truncated, or has indices out of range
-  4  the mesh is not supported (not triangles, not a manifold, inconsistently oriented,
-     coordinates that are not finite, no faces), or no cut satisfies the constraints; the message
-     says where, counting from 0
+  4  the mesh is not supported (coordinates that are not finite, no faces; with --strict, also what
+     is not triangles, not a manifold or inconsistently oriented), or no cut satisfies the
+     constraints; the message says where, counting from 0
   5  no valid result was found
   6  stopped by the time limit, which counts from the start of the program, or by Ctrl-C (a second
      Ctrl-C ends at once); a valid result found by then is written, and the message says so
@@ -132,6 +137,15 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, Target& target,
   return app.add_option_function<std::string>(
     name, [=, &target](const std::string& word) { target = parse_number(name, word, low, high); },
     help);
+}
+
+void add_input_options(CLI::App& app, Options& options)
+{
+  const std::string group = "Input";
+  app.add_flag("--strict", options.is_strict, "Refuse what is otherwise interpreted (see above)")->group(group);
+  app.add_option("--weld", options.weld,
+                 "Whether vertices at exactly the same point count as one;\nauto: for STL, and where no two faces share a vertex")
+    ->check(CLI::IsMember({"auto", "on", "off"}))->default_str(options.weld)->group(group);
 }
 
 void add_output_options(CLI::App& app, Options& options)
@@ -298,7 +312,7 @@ Attributes wanted_attributes(const Options& options)
 {
   const auto is_colors = [](const Weight_choice& choice) { return choice.kind == Weight_choice::Kind::COLORS; };
   return {std::any_of(options.edge_weights.begin(), options.edge_weights.end(), is_colors),
-          options.must_cut == seams_of_input || options.initial_cut == seams_of_input};
+          options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off", true};
 }
 
 std::vector<std::string> constraint_files(const Options& options)
@@ -324,6 +338,7 @@ Command_line parse_command_line(int argc, char** argv)
   app.footer(footer);
   app.set_version_flag("--version", "unwrap (CGAL " CGAL_VERSION_STR ")");
   app.add_option("INPUT", options.input, "Mesh file")->type_name("")->required();
+  add_input_options(app, options);
   add_output_options(app, options);
   add_method_options(app, options);
   add_constraint_options(app, options);

@@ -18,6 +18,9 @@ struct Options
   std::string output, json, svg, texture, obj_cut;
   bool is_quiet = false;
 
+  bool is_strict = false;      // refuses what is otherwise interpreted
+  std::string weld = "auto"; // auto, on, off
+
   std::string effort = "default"; // fast, default, best
   bool is_faithful = false;
   std::optional<std::string> connect; // mst, sph, greedy, exact, best

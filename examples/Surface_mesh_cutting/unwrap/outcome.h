@@ -4,6 +4,8 @@
 #ifndef UNWRAP_OUTCOME_H
 #define UNWRAP_OUTCOME_H
 
+#include "Surface.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -59,7 +61,8 @@ struct Outcome
   std::vector<std::string> warnings;
   Witness witness;
 
-  std::optional<int> vertices, faces, components, genus, borders;
+  std::optional<int> vertices, faces, polygons, components, genus, borders; // polygons: faces that are no triangles
+  std::vector<Interpretation> interpreted;
   std::optional<int> candidates, features, auxiliary;
   std::optional<double> cut_length, cut_cost, lower_bound; // over the bounding box diagonal
   std::optional<bool> is_optimal;

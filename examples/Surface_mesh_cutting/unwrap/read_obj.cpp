@@ -1,4 +1,5 @@
 #include "Text_scanner.h"
+#include "keep_obj_statements.h"
 #include "mesh_file.h"
 #include "outcome.h"
 #include "vertex_colors.h"
@@ -83,6 +84,8 @@ void read_polygon(Text_scanner& scanner, Attributes attributes, Polygon_soup& so
     soup.corners.push_back(index > 0 ? index - 1 : soup.number_of_points() + index);
     if(attributes.has_uvs)
       read_texture_index(scanner, word, texture);
+    if(attributes.has_statements)
+      keep_normal_index(word, soup);
   }
   soup.close_polygon();
 }
@@ -102,6 +105,8 @@ Polygon_soup read_obj(std::string_view text, Attributes attributes)
       const double y = scanner.number_in_line();
       const double z = scanner.number_in_line();
       soup.points.push_back({{x, y, z}});
+      if(attributes.has_statements)
+        keep_point_end(scanner, soup);
       if(attributes.has_colors)
         read_red(scanner, soup);
     }
@@ -111,11 +116,14 @@ Polygon_soup read_obj(std::string_view text, Attributes attributes)
       read_polygon(scanner, attributes, soup, texture);
     else if(!is_skipped(keyword))
       scanner.fail("a statement of the OBJ format", keyword);
+    else if(attributes.has_statements)
+      keep_statement(keyword, scanner, soup);
     scanner.skip_line();
   }
   if(soup.points.empty() && soup.polygon_ends.empty())
     throw Failure(Exit_code::UNREADABLE, "the file has neither points nor faces");
   add_uvs(texture, soup);
   complete_reds(soup);
+  complete_statements(soup);
   return soup;
 }

@@ -13,15 +13,21 @@
 
 namespace {
 
-// Gives exactly equal points the same index, in the order of their first appearance.
+// Gives exactly equal points the same index, in the order of their first appearance, or each an index of its own.
 class Point_merger
 {
 public:
-  explicit Point_merger(Polygon_soup& soup) : m_soup(soup) {}
+  Point_merger(Polygon_soup& soup, bool does_merge) : m_soup(soup), m_does_merge(does_merge) {}
 
   void add_corner(double x, double y, double z)
   {
     const Polygon_soup::Point point = {{x + 0.0, y + 0.0, z + 0.0}}; // -0 becomes 0
+    if(!m_does_merge)
+    {
+      m_soup.corners.push_back(m_soup.number_of_points());
+      m_soup.points.push_back(point);
+      return;
+    }
     const auto inserted = m_indices.emplace(point, m_soup.number_of_points());
     if(inserted.second)
       m_soup.points.push_back(point);
@@ -30,6 +36,7 @@ public:
 
 private:
   Polygon_soup& m_soup;
+  const bool m_does_merge;
   std::unordered_map<Polygon_soup::Point, int, boost::hash<Polygon_soup::Point> > m_indices;
 };
 
@@ -41,13 +48,13 @@ std::size_t size_of_binary_file(std::string_view bytes)
   return header_size + facet_size * std::size_t(load<std::uint32_t>(bytes.substr(80, 4), false));
 }
 
-Polygon_soup read_binary(std::string_view bytes)
+Polygon_soup read_binary(std::string_view bytes, bool does_merge)
 {
   if(bytes.size() < header_size || bytes.size() < size_of_binary_file(bytes))
     throw Failure(Exit_code::UNREADABLE, "the file ends before its last facet");
 
   Polygon_soup soup;
-  Point_merger merger(soup);
+  Point_merger merger(soup, does_merge);
   for(std::size_t facet = header_size; facet < size_of_binary_file(bytes); facet += facet_size)
   {
     const auto coordinate = [&](std::size_t i) // the first three are the normal
@@ -68,11 +75,11 @@ std::string in_lower_case(std::string_view word)
   return result;
 }
 
-Polygon_soup read_text(std::string_view text)
+Polygon_soup read_text(std::string_view text, bool does_merge)
 {
   Text_scanner scanner(without_byte_order_mark(text));
   Polygon_soup soup;
-  Point_merger merger(soup);
+  Point_merger merger(soup, does_merge);
   bool is_in_solid = false;
   for(std::string_view found = scanner.word(); !found.empty(); found = scanner.word())
   {
@@ -109,10 +116,11 @@ bool starts_text_stl(std::string_view bytes)
   return in_lower_case(Text_scanner(without_byte_order_mark(bytes)).word()) == "solid";
 }
 
-Polygon_soup read_stl(std::string_view bytes)
+Polygon_soup read_stl(std::string_view bytes, Attributes attributes)
 {
   // The header of a binary file may start with any word, and something may follow its facets. Read
   // as their number, four characters of text would ask for gigabytes.
   const bool is_binary = bytes.size() >= header_size && bytes.size() >= size_of_binary_file(bytes);
-  return !is_binary && starts_text_stl(bytes) ? read_text(bytes) : read_binary(bytes);
+  return !is_binary && starts_text_stl(bytes) ? read_text(bytes, attributes.has_merged_points)
+                                             : read_binary(bytes, attributes.has_merged_points);
 }

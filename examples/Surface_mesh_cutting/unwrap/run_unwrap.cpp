@@ -9,10 +9,6 @@
 #include <CGAL/Default.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
-#include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
-#include <CGAL/boost/graph/Euler_operations.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -31,7 +27,6 @@
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
-namespace SMP = CGAL::Surface_mesh_parameterization;
 using SMC::Status_code;
 using Result = SMC::Unwrap_result<Mesh>;
 
@@ -59,29 +54,6 @@ private:
   Progress_bar m_bar;
 };
 
-// Vertex i and face i of the mesh are point i and polygon i of the soup.
-Mesh make_mesh(const Polygon_soup& soup)
-{
-  Mesh mesh;
-  mesh.reserve(Mesh::size_type(soup.points.size()),
-               Mesh::size_type(soup.points.size() + soup.polygon_ends.size()),
-               Mesh::size_type(soup.polygon_ends.size()));
-  for(const Polygon_soup::Point& point : soup.points)
-    mesh.add_vertex(Kernel::Point_3(point[0], point[1], point[2]));
-
-  std::vector<std::array<Vertex, 3> > faces;
-  faces.reserve(soup.polygon_ends.size());
-  for(int f = 0; f < soup.number_of_polygons(); ++f)
-    faces.push_back({{Vertex(Mesh::size_type(soup.corner(f, 0))),
-                      Vertex(Mesh::size_type(soup.corner(f, 1))),
-                      Vertex(Mesh::size_type(soup.corner(f, 2)))}});
-  CGAL::Euler::add_faces(faces, mesh);
-  for(const Halfedge h : mesh.halfedges())
-    if(mesh.is_border(h))
-      mesh.set_halfedge(mesh.target(h), h); // by which Surface_mesh knows its border vertices
-  return mesh;
-}
-
 Exit_code exit_code_of(Status_code code)
 {
   switch(code)
@@ -102,20 +74,38 @@ Exit_code exit_code_of(Status_code code)
   return Exit_code::FAILED;
 }
 
-Witness witness_of(const SMC::Finding<Mesh>& finding, const Mesh& mesh)
+Witness witness_of(const SMC::Finding<Mesh>& finding, const Surface& surface)
 {
   Witness witness;
   for(const Vertex v : finding.vertices)
-    witness.indices.push_back(int(v));
+    witness.indices.push_back(surface.vertices[v]);
   for(const Face f : finding.faces)
-    witness.indices.push_back(int(f));
+    witness.indices.push_back(surface.polygons[f]);
   for(const Edge e : finding.edges)
     for(const int i : {0, 1})
-      witness.indices.push_back(int(mesh.vertex(e, unsigned(i))));
+      witness.indices.push_back(surface.vertices[surface.mesh.vertex(e, unsigned(i))]);
   witness.kind = !finding.vertices.empty() ? Witness::Kind::VERTICES
                : !finding.faces.empty() ? Witness::Kind::FACES
                : !finding.edges.empty() ? Witness::Kind::EDGES : Witness::Kind::NONE;
   return witness;
+}
+
+// The library counts elements of the mesh; where that is not like the soup, the message names those of the soup.
+std::string message_of(const SMC::Finding<Mesh>& finding, const Surface& surface, bool is_like_soup)
+{
+  const Witness witness = witness_of(finding, surface);
+  const std::size_t names = finding.message.rfind(": ");
+  if(is_like_soup || witness.indices.empty() || names == std::string::npos)
+    return finding.message;
+  constexpr std::size_t maximum = 5;
+  const bool is_edge = witness.kind == Witness::Kind::EDGES;
+  const std::size_t count = witness.indices.size() / (is_edge ? 2 : 1);
+  std::string text = finding.message.substr(0, finding.message.find(' ', names + 2));
+  for(std::size_t i = 0; i < (std::min)(count, maximum); ++i)
+    text += (i == 0 ? " " : ", ")
+            + (is_edge ? std::to_string(witness.indices[2 * i]) + "-" + std::to_string(witness.indices[2 * i + 1])
+                       : std::to_string(witness.indices[i]));
+  return count > maximum ? text + " and " + std::to_string(count - maximum) + " more" : text;
 }
 
 Phase_seconds phase_seconds(const SMC::Phase_times& times)
@@ -128,19 +118,19 @@ std::string summary(const Outcome& outcome)
 {
   std::ostringstream text;
   text.precision(4);
-  text << *outcome.faces << " triangles, cut of " << *outcome.cut_length
+  text << *outcome.faces << (*outcome.polygons == 0 ? " triangles, cut of " : " polygons, cut of ") << *outcome.cut_length
        << " bounding box diagonals through " << *outcome.features << " points, mean energy "
        << *outcome.average_energy << " (4: no distortion)";
   return text.str();
 }
 
-void tell(const Result& result, const Mesh& mesh, Outcome& outcome)
+void tell(const Result& result, const Surface& surface, bool is_like_soup, Outcome& outcome)
 {
   outcome.exit_code = exit_code_of(result.status.code);
-  outcome.message = result.status.message;
-  outcome.witness = witness_of(result.status, mesh);
+  outcome.message = message_of(result.status, surface, is_like_soup);
+  outcome.witness = witness_of(result.status, surface);
   for(const SMC::Finding<Mesh>& warning : result.status.warnings)
-    outcome.warnings.push_back(warning.message);
+    outcome.warnings.push_back(message_of(warning, surface, is_like_soup));
   outcome.has_result = result.has_result;
 
   outcome.components = result.components;
@@ -244,31 +234,29 @@ int available_threads()
 #endif
 }
 
-Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& outcome)
+Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& options, Outcome& outcome)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(options.threads));
 #endif
-  Mesh mesh = make_mesh(soup);
+  Mesh& mesh = surface.mesh;
   end_if_stop_is_requested();
   const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
   const UV_map uvs = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-  const Constraints constraints = read_constraints(options, soup, mesh);
+  const Constraints constraints = read_constraints(options, soup, surface);
   outcome.warnings = constraints.warnings;
   const Result result = run_library(mesh, options, constraints, is_cut, uvs);
-  tell(result, mesh, outcome);
+  tell(result, surface, surface.is_like_soup(soup), outcome);
   if(!outcome.has_result)
     return {};
 
-  Layout layout = make_layout(mesh, is_cut, uvs, soup);
+  Layout layout = make_layout(surface, is_cut, uvs, soup);
+  std::vector<int>& features = layout.feature_points;
   for(const Vertex v : result.feature_points)
-    layout.feature_points.push_back(int(v));
-  std::sort(layout.feature_points.begin(), layout.feature_points.end());
-  layout.distortions.resize(mesh.num_faces());
-  SMP::compute_symmetric_Dirichlet_energy(
-    mesh, uvs, boost::make_iterator_property_map(layout.distortions.begin(),
-                                                 get(boost::face_index, mesh)));
+    features.push_back(surface.vertices[v]);
+  std::sort(features.begin(), features.end());
+  features.erase(std::unique(features.begin(), features.end()), features.end());
   layout.bounding_box_diagonal = result.bounding_box_diagonal;
   return layout;
 }

@@ -5,6 +5,7 @@
 
 #include "Layout.h"
 #include "Polygon_soup.h"
+#include "Surface.h"
 #include "options.h"
 #include "outcome.h"
 
@@ -17,8 +18,8 @@ std::vector<std::string> available_solvers();
 // How many threads can run at a time; 1 if the program was built without TBB.
 int available_threads();
 
-// Cuts and flattens a soup that has passed `check_soup()`, and tells `outcome` about it.
+// Cuts and flattens the surface as which a soup was read, and tells `outcome` about it.
 // The layout is filled if `outcome.has_result`.
-Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& outcome);
+Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& options, Outcome& outcome);
 
 #endif // UNWRAP_RUN_UNWRAP_H

@@ -119,20 +119,6 @@ void for_each_inner_edge(const std::vector<Side>& sides, Visitor visit)
   });
 }
 
-void check_points(const Polygon_soup& soup)
-{
-  Defects defects(Witness::Kind::VERTICES);
-  for(int v = 0; v < soup.number_of_points(); ++v)
-    for(const double coordinate : soup.points[std::size_t(v)])
-      if(!std::isfinite(coordinate))
-      {
-        defects.add({v}, [&] { return "vertex " + std::to_string(v)
-                                      + " has a coordinate that is infinite or not a number"; });
-        break;
-      }
-  defects.fail_if_any();
-}
-
 void check_triangles(const Polygon_soup& soup)
 {
   Defects polygons(Witness::Kind::FACES);
@@ -254,10 +240,24 @@ void check_vertices(const Polygon_soup& soup, const std::vector<Side>& sides)
 
 } // namespace
 
-void check_soup(const Polygon_soup& soup)
+void check_points(const Polygon_soup& soup)
 {
   if(soup.number_of_polygons() == 0)
     throw Failure(Exit_code::UNSUPPORTED, "the mesh has no face");
+  Defects defects(Witness::Kind::VERTICES);
+  for(int v = 0; v < soup.number_of_points(); ++v)
+    for(const double coordinate : soup.points[std::size_t(v)])
+      if(!std::isfinite(coordinate))
+      {
+        defects.add({v}, [&] { return "vertex " + std::to_string(v)
+                                      + " has a coordinate that is infinite or not a number"; });
+        break;
+      }
+  defects.fail_if_any();
+}
+
+void check_soup(const Polygon_soup& soup)
+{
   check_points(soup);
   check_triangles(soup);
   check_duplicates(soup);

@@ -1,4 +1,4 @@
-// What a polygon soup must fulfil so that a halfedge data structure can be built from it.
+// What a polygon soup must fulfil to be a mesh of triangles as it is, and to be read as any surface.
 
 #ifndef UNWRAP_SOUP_CHECKS_H
 #define UNWRAP_SOUP_CHECKS_H
@@ -9,5 +9,8 @@
 // manifold of triangles with finite coordinates. Its message names the first of the elements
 // concerned, its witness up to a hundred of them. Takes O(n log n).
 void check_soup(const Polygon_soup& soup);
+
+// The same unless it has polygons, and points with finite coordinates.
+void check_points(const Polygon_soup& soup);
 
 #endif // UNWRAP_SOUP_CHECKS_H

@@ -8,8 +8,30 @@
 
 #include <exception>
 #include <new>
+#include <utility>
+#include <vector>
 
 namespace {
+
+int number_of_other_polygons(const Polygon_soup& soup)
+{
+  int number = 0;
+  for(int polygon = 0; polygon < soup.number_of_polygons(); ++polygon)
+    number += soup.number_of_corners(polygon) != 3;
+  return number;
+}
+
+// Where no two polygons share a vertex, indices say nothing about the surface.
+bool is_welded(const Polygon_soup& soup, const std::string& weld)
+{
+  if(weld != "auto")
+    return weld == "on";
+  std::vector<char> is_used(soup.points.size(), 0);
+  for(const int v : soup.corners)
+    if(std::exchange(is_used[std::size_t(v)], char(1)))
+      return false;
+  return soup.number_of_polygons() > 1;
+}
 
 void unwrap_file(const Options& options, Output_places& places, Outcome& outcome)
 {
@@ -25,9 +47,16 @@ Layout unwrap_soup(const Polygon_soup& soup, const Options& options, Outcome& ou
 {
   outcome.vertices = soup.number_of_points();
   outcome.faces = soup.number_of_polygons();
-  check_soup(soup);
+  outcome.polygons = number_of_other_polygons(soup);
+  if(options.is_strict)
+    check_soup(soup);
+  else
+    check_points(soup);
   end_if_stop_is_requested();
-  return run_unwrap(soup, options, outcome);
+  Surface surface = read_surface(soup, !options.is_strict && is_welded(soup, options.weld));
+  outcome.interpreted = surface.interpreted;
+  end_if_stop_is_requested();
+  return run_unwrap(soup, surface, options, outcome);
 }
 
 Outcome unwrap_file(const Options& options, Output_places& places)

@@ -8,34 +8,27 @@ namespace {
 
 using Uv = std::optional<Polygon_soup::Texture_point>;
 
-Uv uv_of_corner(const Polygon_soup& soup, Face f, Vertex v)
+bool is_seam(const Polygon_soup& soup, const Surface& surface, Edge e)
 {
-  int k = 0;
-  while(soup.corner(int(f), k) != int(v))
-    ++k;
-  return soup.corner_uvs[soup.first_corner(int(f)) + std::size_t(k)];
-}
-
-bool is_seam(const Polygon_soup& soup, const Mesh& mesh, Edge e)
-{
+  const Mesh& mesh = surface.mesh;
   if(mesh.is_border(e))
     return false;
-  const Face first = mesh.face(mesh.halfedge(e, 0)), second = mesh.face(mesh.halfedge(e, 1));
-  const auto differs = [&](Vertex v) { return uv_of_corner(soup, first, v) != uv_of_corner(soup, second, v); };
-  return differs(mesh.vertex(e, 0)) || differs(mesh.vertex(e, 1));
+  const Halfedge h = mesh.halfedge(e, 0), o = mesh.halfedge(e, 1);
+  const auto uv = [&](Halfedge to_corner) { return soup.corner_uvs[std::size_t(surface.corners[to_corner])]; };
+  return uv(h) != uv(mesh.prev(o)) || uv(mesh.prev(h)) != uv(o);
 }
 
 } // namespace
 
-std::vector<Edge> uv_seams(const std::string& option, const Polygon_soup& soup, const Mesh& mesh)
+std::vector<Edge> uv_seams(const std::string& option, const Polygon_soup& soup, const Surface& surface)
 {
   const auto has_value = [](const Uv& uv) { return uv.has_value(); };
   if(std::none_of(soup.corner_uvs.begin(), soup.corner_uvs.end(), has_value))
     throw Failure(Exit_code::UNSUPPORTED, option + " uv: the input has no texture coordinates of the corners of faces "
                                                    "(OBJ with vt; PLY with texcoord)");
   std::vector<Edge> seams;
-  for(const Edge e : mesh.edges())
-    if(is_seam(soup, mesh, e))
+  for(const Edge e : surface.mesh.edges())
+    if(is_seam(soup, surface, e))
       seams.push_back(e);
   return seams;
 }

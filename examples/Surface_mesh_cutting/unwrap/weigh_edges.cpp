@@ -32,36 +32,39 @@ double product(double weight, double factor)
 }
 
 // `is_first` if the weights are still the lengths: then those of the file are taken to the last digit.
-void multiply_by_file(const std::string& path, const Mesh& mesh, bool is_first, Weights weights)
+void multiply_by_file(const std::string& path, const Named_elements& names, bool is_first, Weights weights)
 {
+  const Mesh& mesh = names.surface().mesh;
   for(const Edge_weight& given : read_edge_weights(path))
-  {
-    const Edge e = find_edge(path, given.edge, mesh);
-    const double length = std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-    weights[e] = is_first || !(length > 0) ? given.weight : product(weights[e], given.weight / length);
-  }
+    for(const Edge e : names.find_edges(path, given.edge))
+    {
+      const double length
+        = std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+      weights[e] = is_first || !(length > 0) ? given.weight : product(weights[e], given.weight / length);
+    }
 }
 
-Paint read_paint(const std::string& path, Mesh& mesh)
+Paint read_paint(const std::string& path, const Named_elements& names, Mesh& mesh)
 {
   const Paint paint = mesh.add_property_map<Vertex, double>("", 1).first;
   const Vertex_values values = read_vertex_values(path);
-  if(values.is_for_all && values.values.size() != mesh.number_of_vertices())
+  if(values.is_for_all && int(values.values.size()) != names.number_of_vertices())
     throw Failure(Exit_code::UNREADABLE, path + ": has " + std::to_string(values.values.size()) + " numbers for "
-                                           + std::to_string(mesh.number_of_vertices()) + " vertices");
+                                           + std::to_string(names.number_of_vertices()) + " vertices");
   for(const Vertex_value& given : values.values)
-    paint[find_vertex(path, given.vertex, mesh)] = given.value;
+    for(const Vertex v : names.find_vertices(path, given.vertex))
+      paint[v] = given.value;
   return paint;
 }
 
-Paint paint_by_color(const Polygon_soup& soup, Mesh& mesh)
+Paint paint_by_color(const Polygon_soup& soup, Surface& surface)
 {
   if(soup.reds.empty())
     throw Failure(Exit_code::UNSUPPORTED, "--edge-weights colors: the input has no colors of all vertices "
                                           "(COFF; OBJ with red, green and blue behind the coordinates; PLY with red)");
-  const Paint paint = mesh.add_property_map<Vertex, double>("", 1).first;
-  for(const Vertex v : mesh.vertices())
-    paint[v] = smallest_factor + (1 - smallest_factor) * soup.reds[v];
+  const Paint paint = surface.mesh.add_property_map<Vertex, double>("", 1).first;
+  for(const Vertex v : surface.mesh.vertices())
+    paint[v] = smallest_factor + (1 - smallest_factor) * soup.reds[std::size_t(surface.vertices[v])];
   return paint;
 }
 
@@ -73,8 +76,9 @@ void multiply_by_visibility(const Mesh& mesh, Weights weights, const NamedParame
                                                            view.edge_weight_map(weights).visitor(Stop_visitor()));
 }
 
-void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& soup, Mesh& mesh, Weights weights)
+void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& soup, Surface& surface, Weights weights)
 {
+  Mesh& mesh = surface.mesh;
   constexpr double smallest_convex_factor = 0.6, occlusion_radius = 0.1;
   const auto given = CGAL::parameters::edge_weight_map(weights);
   switch(choice.kind)
@@ -92,21 +96,21 @@ void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& so
       multiply_by_visibility(mesh, weights, CGAL::parameters::up_direction(
                                               Kernel::Vector_3(choice.up[0], choice.up[1], choice.up[2])));
       break;
-    case Kind::COLORS: SMC::painted_weights(mesh, weights, paint_by_color(soup, mesh), given); break;
-    case Kind::PAINT: SMC::painted_weights(mesh, weights, read_paint(choice.file, mesh), given); break;
-    case Kind::EDGES: multiply_by_file(choice.file, mesh, is_first, weights); break;
+    case Kind::COLORS: SMC::painted_weights(mesh, weights, paint_by_color(soup, surface), given); break;
+    case Kind::PAINT: SMC::painted_weights(mesh, weights, read_paint(choice.file, Named_elements(soup, surface), mesh), given); break;
+    case Kind::EDGES: multiply_by_file(choice.file, Named_elements(soup, surface), is_first, weights); break;
   }
 }
 
 } // namespace
 
-void weigh_edges(const std::vector<Weight_choice>& choices, const Polygon_soup& soup, Mesh& mesh, Weights weights)
+void weigh_edges(const std::vector<Weight_choice>& choices, const Polygon_soup& soup, Surface& surface, Weights weights)
 {
   // The lengths as the library measures them.
-  SMC::painted_weights(mesh, weights, CGAL::Constant_property_map<Vertex, double>(1));
+  SMC::painted_weights(surface.mesh, weights, CGAL::Constant_property_map<Vertex, double>(1));
   for(std::size_t i = 0; i < choices.size(); ++i)
   {
-    multiply(choices[i], i == 0, soup, mesh, weights);
+    multiply(choices[i], i == 0, soup, surface, weights);
     end_if_stop_is_requested();
   }
 }

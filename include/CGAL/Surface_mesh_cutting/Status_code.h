@@ -24,7 +24,8 @@ enum class Status_code
 {
   OK,                      ///< everything requested was computed.
   EMPTY_MESH,              ///< the mesh has no face.
-  NOT_TRIANGULATED,        ///< a face is not a triangle. Witness: faces.
+  NOT_TRIANGULATED,        ///< a face does not have three different vertices or more, or each of its triangulations
+                           ///  repeats an edge of the surface. Witness: faces.
   NON_MANIFOLD,            ///< an edge with more than two faces, a vertex whose faces form
                            ///  more than one fan, or a face given twice. Witness: vertices or faces.
   INVALID_POINT,           ///< a coordinate is infinite or not a number. Witness: vertices.

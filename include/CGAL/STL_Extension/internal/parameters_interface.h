@@ -32,6 +32,7 @@ CGAL_add_named_parameter(minimum_decrease_per_length_t, minimum_decrease_per_len
 CGAL_add_named_parameter(coarse_number_of_faces_t, coarse_number_of_faces, coarse_number_of_faces)
 CGAL_add_named_parameter(maximum_average_distortion_t, maximum_average_distortion, maximum_average_distortion)
 CGAL_add_named_parameter(do_bijective_t, do_bijective, do_bijective)
+CGAL_add_named_parameter(do_weld_points_t, do_weld_points, do_weld_points)
 CGAL_add_named_parameter(initial_cut_t, initial_cut, initial_cut_map)
 CGAL_add_named_parameter(edge_is_forbidden_t, edge_is_forbidden, edge_is_forbidden_map)
 CGAL_add_named_parameter(connection_t, connection, connection)

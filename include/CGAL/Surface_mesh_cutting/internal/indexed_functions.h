@@ -20,6 +20,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Polygon_triangulation.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/library.h>
@@ -40,6 +42,17 @@ namespace internal {
 
 // Refuses a mesh whose halfedges fit together but that is not manifold; warns of what is unusual.
 CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh);
+
+// The polygons of a surface as triangles. `opposites` holds the side across each side, or -1 on a border; no polygon has a
+// vertex twice. Linear in the number of corners on usual polygons.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+Polygon_triangulation triangulate_polygons(const std::vector<Point>& points, const Polygons& polygons,
+                                           const std::vector<int>& opposites);
+
+// Reads a polygon soup as a surface. Points are finite and indices in range. `do_weld`: whether vertices at exactly the same
+// point are one. Nearly linear time.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, bool do_weld);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
 template <typename ConcurrencyTag>

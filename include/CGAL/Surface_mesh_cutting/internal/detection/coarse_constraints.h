@@ -85,7 +85,7 @@ inline Edge_constraints coarse_constraints(const Indexed_mesh& fine, const Edge_
                                            const Coarse_mesh& coarse, const std::vector<int>& terminals)
 {
   Edge_constraints result = unconstrained(coarse.mesh);
-  if(forbidden_edges(fine, constraints).empty() && weights_are_lengths(fine, constraints))
+  if(!has_forbidden_sides(constraints) && weights_are_lengths(fine, constraints))
     return result;
   Edge_constraints whole = result;
   whole.weights = coarse_weights(fine, constraints, coarse);

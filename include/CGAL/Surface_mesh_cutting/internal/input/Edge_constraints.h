@@ -35,6 +35,7 @@ struct Edge_constraints
 {
   std::vector<double> weights; // not negative; those of border edges do not matter
   Cut mandatory;               // open from the start
+  Cut diagonals;               // of polygons, which are never cut; empty if there are none
 
   bool is_forbidden(int e) const { return weights[e] == std::numeric_limits<double>::infinity(); }
 };
@@ -49,7 +50,17 @@ struct Cutting_constraints
 
 inline Edge_constraints unconstrained(const Indexed_mesh& mesh)
 {
-  return Edge_constraints{mesh.lengths(), Cut(mesh.number_of_edges(), 0)};
+  return Edge_constraints{mesh.lengths(), Cut(mesh.number_of_edges(), 0), Cut()};
+}
+
+// Whether the caller forbids an edge. A diagonal alone keeps nothing from being cut: the sides of its polygon lead
+// around it.
+inline bool has_forbidden_sides(const Edge_constraints& constraints)
+{
+  for(std::size_t e = 0; e < constraints.weights.size(); ++e)
+    if(constraints.is_forbidden(int(e)) && (constraints.diagonals.empty() || !constraints.diagonals[e]))
+      return true;
+  return false;
 }
 
 // What cutting these edges costs.
@@ -143,6 +154,8 @@ inline Edge_constraints restriction(const Edge_constraints& whole, const Indexed
   for(int e : component.edges)
     constraints.weights.push_back(whole.weights[e]);
   constraints.mandatory = component.restriction(whole.mandatory);
+  if(!whole.diagonals.empty())
+    constraints.diagonals = component.restriction(whole.diagonals);
   return constraints;
 }
 

@@ -14,14 +14,10 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -30,30 +26,20 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <string>
-#include <type_traits>
+#include <cstddef>
 #include <utility>
 #include <vector>
-
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
-#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The boundary between the caller's mesh and the index arrays: checks the mesh, copies it, and
-// carries cuts, UVs and findings to and fro. Vertices and faces are numbered by their positions in
+// The boundary between the caller's mesh and the index arrays: checks the mesh, copies it, triangulating its
+// polygons, and carries cuts, UVs and findings to and fro. Vertices and faces are numbered by their positions in
 // `vertices(tmesh)` and `faces(tmesh)`; corner 0 of a face is the source of its `halfedge(f,
 // tmesh)`.
-//
-// The indexed mesh is scaled by a power of two, which loses no bit, to an extent of about one:
-// products of lengths then neither overflow nor underflow.
 template <typename TriangleMesh, typename VertexPointMap>
-class Mesh_adapter
+class Mesh_adapter : public Polygon_adapter
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 
@@ -68,47 +54,33 @@ public:
     : m_tmesh(tmesh)
   {
     std::vector<Point> points;
-    std::vector<Triangle> triangles;
+    Polygons polygons;
+    std::vector<int> opposites;
     m_status = read_points(vpm, points);
     if(m_status)
-      m_status = read_faces(triangles);
-    if(!m_status)
-      return;
-    std::vector<int> opposites;
-    m_status = read_opposites(triangles, opposites);
-    if(!m_status)
-      return;
-    normalize(points, triangles);
-    m_mesh = Indexed_mesh(std::move(points), std::move(triangles), std::move(opposites));
-    m_status = check_mesh(m_mesh);
-    constexpr int extreme = 332; // 1e100
-    if(m_status && std::abs(m_exponent) > extreme)
-      m_status.warnings.push_back(Finding{Status_code::OK, "extreme coordinates, which are rescaled internally",
-                                          Element_kind::NONE, {}});
+      read_faces(polygons);
+    if(m_status)
+      read_opposites(polygons, opposites);
+    if(m_status)
+      make_mesh(std::move(points), polygons, opposites);
   }
 
-  // Why the mesh is refused, or the warnings about it.
-  const Indexed_status& status() const { return m_status; }
-  const Indexed_mesh& mesh() const { return m_mesh; }
-
-  // The caller's mesh is larger by 2 to this power.
-  int exponent() const { return m_exponent; }
-
-  // A length of the indexed mesh at the scale of the caller's mesh.
-  double to_original_scale(double length) const { return std::ldexp(length, m_exponent); }
-
   vertex_descriptor to_vertex(int v) const { return m_vertices[v]; }
-  face_descriptor to_face(int f) const { return m_faces[f]; }
-  halfedge_descriptor to_halfedge(int h) const { return m_halfedges[h]; }
-  edge_descriptor to_edge(int e) const { return edge(m_halfedges[m_mesh.halfedge(e)], m_tmesh); }
+  face_descriptor to_face(int f) const { return m_faces[to_polygon(f)]; }
+  // Of a side of a polygon, as all that may be cut is one.
+  halfedge_descriptor to_halfedge(int h) const { return m_halfedges[to_side(h)]; }
+  edge_descriptor to_edge(int e) const { return edge(to_halfedge(mesh().halfedge(e)), m_tmesh); }
+
+  // The halfedge of the caller's mesh that leads to the corner from which a halfedge of the indexed mesh starts.
+  halfedge_descriptor to_halfedge_at_source(int h) const { return prev(m_halfedges[to_corner(h)], m_tmesh); }
 
   // Marks on border edges are ignored.
   template <typename EdgeIsCutMap>
   Cut read_cut(EdgeIsCutMap edge_is_cut_map) const
   {
-    Cut cut(m_mesh.number_of_edges(), 0);
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      cut[e] = !m_mesh.is_border_edge(e) && get(edge_is_cut_map, to_edge(e));
+    Cut cut(mesh().number_of_edges(), 0);
+    for(int e = 0; e < mesh().number_of_edges(); ++e)
+      cut[e] = !mesh().is_border_edge(e) && !is_diagonal(e) && get(edge_is_cut_map, to_edge(e));
     return cut;
   }
 
@@ -116,8 +88,9 @@ public:
   template <typename EdgeIsCutMap>
   void write_cut(const Cut& cut, EdgeIsCutMap edge_is_cut_map) const
   {
-    for(int e = 0; e < m_mesh.number_of_edges(); ++e)
-      put(edge_is_cut_map, to_edge(e), bool(cut[e]));
+    for(int e = 0; e < mesh().number_of_edges(); ++e)
+      if(!is_diagonal(e))
+        put(edge_is_cut_map, to_edge(e), bool(cut[e]));
   }
 
   // The UV of each corner, in the order of the indexed halfedges that start there. The map holds the
@@ -125,20 +98,10 @@ public:
   template <typename HalfedgeUVMap>
   std::vector<Eigen::Vector2d> read_uvs(HalfedgeUVMap halfedge_uv_map) const
   {
-    std::vector<Eigen::Vector2d> uvs(m_mesh.number_of_halfedges());
-    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      uvs[next_halfedge(h)]
-        = Surface_mesh_parameterization::internal::to_vector_2(get(halfedge_uv_map, m_halfedges[h]));
+    std::vector<Eigen::Vector2d> uvs(mesh().number_of_halfedges());
+    for(int h = 0; h < mesh().number_of_halfedges(); ++h)
+      uvs[h] = Surface_mesh_parameterization::internal::to_vector_2(get(halfedge_uv_map, to_halfedge_at_source(h)));
     return uvs;
-  }
-
-  // What a map with this value type makes of a UV at the scale of the indexed mesh: it may hold fewer digits, and
-  // what overflows or underflows at the scale of the caller's mesh does so here.
-  template <typename Point_2>
-  Eigen::Vector2d rounded_uv(const Eigen::Vector2d& uv) const
-  {
-    using namespace Surface_mesh_parameterization::internal;
-    return scaled(to_vector_2(make_uv<Point_2>(uv)), -m_exponent);
   }
 
   // The inverse of `read_uvs()`, for UVs of the vertices of `chart` at the scale of the indexed mesh.
@@ -147,8 +110,8 @@ public:
                  HalfedgeUVMap halfedge_uv_map) const
   {
     using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
-    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      put(halfedge_uv_map, m_halfedges[h], make_uv<Point_2>(uv[chart.target(h)]));
+    for(int h = 0; h < mesh().number_of_halfedges(); ++h)
+      put(halfedge_uv_map, to_halfedge_at_source(h), make_uv<Point_2>(uv[chart.source(h)]));
   }
 
   // Replaces indices by descriptors and appends the first of them to the messages.
@@ -162,25 +125,18 @@ public:
   }
 
 private:
-  template <typename Point_2>
-  Point_2 make_uv(const Eigen::Vector2d& uv) const
+  Surface_mesh_cutting::Finding<TriangleMesh> translate(const Finding& of_triangles) const
   {
-    using Number = std::decay_t<decltype(std::declval<const Point_2&>().x())>;
-    const Eigen::Vector2d p = Surface_mesh_parameterization::internal::scaled(uv, m_exponent);
-    return Point_2(static_cast<Number>(p.x()), static_cast<Number>(p.y()));
-  }
-
-  Surface_mesh_cutting::Finding<TriangleMesh> translate(const Finding& flat) const
-  {
+    const Finding flat = in_polygons(of_triangles);
     Surface_mesh_cutting::Finding<TriangleMesh> finding;
     finding.code = flat.code;
-    finding.message = flat.message + enumeration(flat);
+    finding.message = flat.message + enumeration(flat, [](int i) { return i; });
     for(int i : flat.indices)
       switch(flat.kind)
       {
       case Element_kind::VERTEX: finding.vertices.push_back(to_vertex(i)); break;
       case Element_kind::EDGE:   finding.edges.push_back(to_edge(i)); break;
-      case Element_kind::FACE:   finding.faces.push_back(to_face(i)); break;
+      case Element_kind::FACE:   finding.faces.push_back(m_faces[i]); break;
       case Element_kind::NONE:   break;
       }
     return finding;
@@ -205,112 +161,77 @@ private:
     return Indexed_status();
   }
 
-  Indexed_status read_faces(std::vector<Triangle>& triangles)
+  void read_faces(Polygons& polygons)
   {
     auto index = get(CGAL::dynamic_vertex_property_t<int>(), m_tmesh);
     for(std::size_t v = 0; v < m_vertices.size(); ++v)
       put(index, m_vertices[v], int(v));
 
-    triangles.reserve(num_faces(m_tmesh));
+    polygons.ends.reserve(num_faces(m_tmesh));
+    polygons.vertices.reserve(num_halfedges(m_tmesh));
     m_faces.reserve(num_faces(m_tmesh));
-    m_halfedges.reserve(3 * num_faces(m_tmesh));
+    m_halfedges.reserve(num_halfedges(m_tmesh));
+    const std::size_t number_of_halfedges = num_halfedges(m_tmesh);
     std::vector<int> other;
     for(face_descriptor f : faces(m_tmesh))
     {
       halfedge_descriptor h = halfedge(f, m_tmesh);
-      Triangle t;
-      bool is_triangle = true;
-      for(int k = 0; k < 3; ++k, h = next(h, m_tmesh))
+      do
       {
-        is_triangle = is_triangle && face(h, m_tmesh) == f;
-        t[k] = get(index, source(h, m_tmesh));
+        if(face(h, m_tmesh) != f || m_halfedges.size() == number_of_halfedges)
+        {
+          other.push_back(int(m_faces.size()));
+          break;
+        }
+        polygons.vertices.push_back(get(index, source(h, m_tmesh)));
         m_halfedges.push_back(h);
+        h = next(h, m_tmesh);
       }
-      is_triangle = is_triangle && h == halfedge(f, m_tmesh) &&
-                    t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-      if(!is_triangle)
-        other.push_back(int(m_faces.size()));
+      while(h != halfedge(f, m_tmesh));
       m_faces.push_back(f);
-      triangles.push_back(t);
+      polygons.close();
     }
+    const std::vector<char> is_simple = polygons.are_simple(int(m_vertices.size()));
+    for(int f = 0; f < polygons.number(); ++f)
+      if(!is_simple[f])
+        other.push_back(f);
+    std::sort(other.begin(), other.end());
+    other.erase(std::unique(other.begin(), other.end()), other.end());
     if(!other.empty())
-      return Indexed_status(Status_code::NOT_TRIANGULATED,
-                            "faces that do not have three different vertices",
-                            Element_kind::FACE, std::move(other));
-    if(m_faces.empty())
-      return Indexed_status(Status_code::EMPTY_MESH, "the mesh has no face");
-    return Indexed_status();
+      refuse_polygons(Status_code::NOT_TRIANGULATED, "faces that do not have three different vertices or more",
+                      std::move(other));
+    else if(m_faces.empty())
+      m_status = Indexed_status(Status_code::EMPTY_MESH, "the mesh has no face");
   }
 
-  Indexed_status read_opposites(const std::vector<Triangle>& triangles,
-                                std::vector<int>& opposites) const
+  void read_opposites(const Polygons& polygons, std::vector<int>& opposites)
   {
     auto index = get(CGAL::dynamic_halfedge_property_t<int>(), m_tmesh);
     for(std::size_t h = 0; h < m_halfedges.size(); ++h)
       put(index, m_halfedges[h], int(h));
 
-    const auto corner = [&triangles](int h) { return triangles[h / 3][h % 3]; };
     opposites.reserve(m_halfedges.size());
     std::vector<int> misfits;
-    for(int h = 0; h < int(m_halfedges.size()); ++h)
-    {
-      const halfedge_descriptor o = opposite(m_halfedges[h], m_tmesh);
-      opposites.push_back(is_border(o, m_tmesh) ? -1 : get(index, o));
-      if(opposites.back() >= 0 && (m_halfedges[opposites.back()] != o ||
-                                   corner(opposites.back()) != corner(next_halfedge(h))))
-        misfits.push_back(h / 3);
-    }
+    for(int polygon = 0; polygon < polygons.number(); ++polygon)
+      for(int h = polygons.begin(polygon); h < polygons.end(polygon); ++h)
+      {
+        const halfedge_descriptor o = opposite(m_halfedges[h], m_tmesh);
+        opposites.push_back(is_border(o, m_tmesh) ? -1 : get(index, o));
+        const bool fits = opposites.back() < 0 ||
+                          (m_halfedges[opposites.back()] == o &&
+                           polygons.vertices[opposites.back()] == polygons.vertices[polygons.next(polygon, h)]);
+        if(!fits && (misfits.empty() || misfits.back() != polygon))
+          misfits.push_back(polygon);
+      }
     if(!misfits.empty())
-      return Indexed_status(Status_code::NON_MANIFOLD,
-                            "faces whose neighbors do not refer back to them",
-                            Element_kind::FACE, std::move(misfits));
-    return Indexed_status();
-  }
-
-  void normalize(std::vector<Point>& points, const std::vector<Triangle>& triangles)
-  {
-    Surface_mesh_parameterization::internal::Bounding_box<3> box;
-    for(const Triangle& t : triangles)
-      for(int v : t)
-        box.add(points[v]);
-    m_exponent = Surface_mesh_parameterization::internal::scale_exponent(box);
-    for(Point& p : points)
-      p = Surface_mesh_parameterization::internal::scaled(p, -m_exponent);
-  }
-
-  // ": faces 3, 5 and 1 more"; edges are named by their two vertices.
-  std::string enumeration(const Finding& finding) const
-  {
-    if(finding.indices.empty() || finding.kind == Element_kind::NONE)
-      return std::string();
-    constexpr std::size_t maximum = 5;
-    const bool is_plural = finding.indices.size() > 1;
-    std::string text = ": ";
-    text += finding.kind == Element_kind::VERTEX ? (is_plural ? "vertices" : "vertex")
-          : finding.kind == Element_kind::EDGE   ? (is_plural ? "edges" : "edge")
-                                                 : (is_plural ? "faces" : "face");
-    for(std::size_t i = 0; i < (std::min)(maximum, finding.indices.size()); ++i)
-    {
-      const int index = finding.indices[i];
-      text += i == 0 ? " " : ", ";
-      if(finding.kind == Element_kind::EDGE)
-        text += std::to_string(m_mesh.source(m_mesh.halfedge(index))) + "-"
-              + std::to_string(m_mesh.target(m_mesh.halfedge(index)));
-      else
-        text += std::to_string(index);
-    }
-    if(finding.indices.size() > maximum)
-      text += " and " + std::to_string(finding.indices.size() - maximum) + " more";
-    return text;
+      refuse_polygons(Status_code::NON_MANIFOLD, "faces whose neighbors do not refer back to them",
+                      std::move(misfits));
   }
 
   const TriangleMesh& m_tmesh;
   std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges;
+  std::vector<halfedge_descriptor> m_halfedges; // of the sides of polygons
   std::vector<face_descriptor> m_faces;
-  int m_exponent = 0;
-  Indexed_mesh m_mesh;
-  Indexed_status m_status;
 };
 
 } // namespace internal

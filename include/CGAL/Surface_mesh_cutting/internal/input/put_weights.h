@@ -82,9 +82,10 @@ Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_w
     status.finding = find_factors(adapter, factors).finding;
   if(status)
     for(int e = 0; e < adapter.mesh().number_of_edges(); ++e)
-      put(edge_weight_map, adapter.to_edge(e),
-          factored_weight(adapter, get_parameter(np, internal_np::edge_weight), e,
-                          adapter.mesh().is_border_edge(e) ? 1 : factors[e]));
+      if(!adapter.is_diagonal(e))
+        put(edge_weight_map, adapter.to_edge(e),
+            factored_weight(adapter, get_parameter(np, internal_np::edge_weight), e,
+                            adapter.mesh().is_border_edge(e) ? 1 : factors[e]));
   return adapter.translate(status);
 }
 

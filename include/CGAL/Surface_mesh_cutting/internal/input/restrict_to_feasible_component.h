@@ -109,9 +109,9 @@ private:
 inline Indexed_status restrict_to_feasible_component(const Indexed_mesh& mesh, const Topology& topology,
                                    const std::vector<int>& terminals, Edge_constraints& constraints)
 {
-  std::vector<int> forbidden = forbidden_edges(mesh, constraints);
-  if(forbidden.empty())
+  if(!has_forbidden_sides(constraints))
     return Indexed_status();
+  std::vector<int> forbidden = forbidden_edges(mesh, constraints);
 
   const Islands islands(mesh, constraints);
   const bool is_closed = topology.border_loops == 0;

@@ -26,6 +26,7 @@
 #include <CGAL/Default.h>
 
 #include <functional>
+#include <type_traits>
 #include <utility>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
@@ -99,11 +100,11 @@ Indexed_status run_method(const Adapter& adapter, Output_kind output, const Writ
   return status;
 }
 
-// The common part of the calls that run the method: reads the mesh and the named parameters, checks them, runs, lets
-// `write(adapter, found)` hand out the result if there is one, and reports.
-template <typename ConcurrencyTag, typename Result, typename UV = Eigen::Vector2d, typename TriangleMesh,
-          typename WriteResult, typename NamedParameters>
-Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write, const NamedParameters& np)
+// The common part of the calls that run the method: reads the surface, by `make_adapter()`, and the named parameters,
+// checks them, runs, lets `write(adapter, found)` hand out the result if there is one, and reports.
+template <typename ConcurrencyTag, typename Result, typename UV, typename MakeAdapter, typename WriteResult,
+          typename NamedParameters>
+Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, WriteResult write, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -115,10 +116,8 @@ Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult w
   Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   Run_control control = read_run_control(visitor, np);
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  typedef Mesh_adapter<TriangleMesh, Vertex_point_map> Adapter;
-  const Adapter adapter(tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = make_adapter();
+  using Adapter = std::decay_t<decltype(adapter)>;
   Cutting_parameters parameters = read_cutting_parameters(np);
   parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
     choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control,
@@ -141,6 +140,25 @@ Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult w
   result.seconds = clock.wall();
   result.cpu_seconds = clock.cpu();
   return result;
+}
+
+// The same for a mesh.
+template <typename ConcurrencyTag, typename Result, typename UV = Eigen::Vector2d, typename TriangleMesh,
+          typename WriteResult, typename NamedParameters>
+Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  return run_on_adapter<ConcurrencyTag, Result, UV>(
+    [&]
+    {
+      return Mesh_adapter<TriangleMesh, Vertex_point_map>(
+        tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                get_const_property_map(CGAL::vertex_point, tmesh)));
+    },
+    output, write, np);
 }
 
 } // namespace internal

@@ -1,0 +1,23 @@
+// Keeps what an OBJ file says besides its geometry while it is read.
+
+#ifndef UNWRAP_KEEP_OBJ_STATEMENTS_H
+#define UNWRAP_KEEP_OBJ_STATEMENTS_H
+
+#include "Polygon_soup.h"
+#include "Text_scanner.h"
+
+#include <string_view>
+
+// What follows the coordinates of the latest point: a weight or a color.
+void keep_point_end(Text_scanner scanner, Polygon_soup& soup);
+
+// `word` is point/texture/normal, for the latest corner.
+void keep_normal_index(std::string_view word, Polygon_soup& soup);
+
+// A line that starts with `keyword`, if it is about groups, objects, smoothing, materials or normals.
+void keep_statement(std::string_view keyword, Text_scanner scanner, Polygon_soup& soup);
+
+// Drops what is of no use: normals that no corner has, and indices of those that do not exist.
+void complete_statements(Polygon_soup& soup);
+
+#endif // UNWRAP_KEEP_OBJ_STATEMENTS_H

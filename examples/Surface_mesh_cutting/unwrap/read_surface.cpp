@@ -1,0 +1,115 @@
+#include "Surface.h"
+
+#include "outcome.h"
+
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
+#endif
+
+#include <algorithm>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_cutting;
+
+SMC::internal::Soup_surface read(const Polygon_soup& soup, bool do_weld)
+{
+  std::vector<SMC::internal::Point> points;
+  points.reserve(soup.points.size());
+  for(const Polygon_soup::Point& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  SMC::internal::Polygons polygons;
+  polygons.vertices = soup.corners;
+  polygons.ends.assign(soup.polygon_ends.begin(), soup.polygon_ends.end());
+  return SMC::internal::read_soup(points, polygons, do_weld);
+}
+
+Mesh make_mesh(const SMC::internal::Soup_surface& surface)
+{
+  Mesh mesh;
+  mesh.reserve(Mesh::size_type(surface.points.size()),
+               Mesh::size_type(surface.points.size() + surface.polygon_origins.size()),
+               Mesh::size_type(surface.polygon_origins.size()));
+  for(const SMC::internal::Point& p : surface.points)
+    mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
+
+  std::vector<std::vector<Vertex> > faces(surface.polygon_origins.size());
+  for(int f = 0; f < surface.polygons.number(); ++f)
+    for(int c = surface.polygons.begin(f); c < surface.polygons.end(f); ++c)
+      faces[std::size_t(f)].push_back(Vertex(Mesh::size_type(surface.polygons.vertices[std::size_t(c)])));
+  CGAL::Euler::add_faces(faces, mesh);
+  for(const Halfedge h : mesh.halfedges())
+    if(mesh.is_border(h))
+      mesh.set_halfedge(mesh.target(h), h); // by which Surface_mesh knows its border vertices
+  return mesh;
+}
+
+const char* name_of(SMC::Interpretation_kind kind)
+{
+  switch(kind)
+  {
+    case SMC::Interpretation_kind::NON_MANIFOLD_EDGES: return "non_manifold_edges";
+    case SMC::Interpretation_kind::NON_MANIFOLD_VERTICES: return "non_manifold_vertices";
+    case SMC::Interpretation_kind::REORIENTED_FACES: return "reoriented_faces";
+    case SMC::Interpretation_kind::DEGENERATE_FACES: return "degenerate_faces";
+    case SMC::Interpretation_kind::DUPLICATE_FACES: return "duplicate_faces";
+    case SMC::Interpretation_kind::WELDED_VERTICES: return "welded_vertices";
+    case SMC::Interpretation_kind::NON_ORIENTABLE_EDGES: return "non_orientable_edges";
+  }
+  return "";
+}
+
+Interpretation translate(const SMC::Interpretation& finding)
+{
+  Interpretation result = {name_of(finding.kind), {}, {}};
+  result.elements.assign(finding.vertices.begin(), finding.vertices.end());
+  result.elements.insert(result.elements.end(), finding.polygons.begin(), finding.polygons.end());
+  for(const auto& edge : finding.edges)
+    result.edges.emplace_back(int(edge[0]), int(edge[1]));
+  return result;
+}
+
+// The halfedge that leads to each corner of the polygons.
+std::vector<Halfedge> halfedges_of_corners(const SMC::internal::Polygons& polygons, const Mesh& mesh)
+{
+  std::vector<Halfedge> result;
+  result.reserve(polygons.vertices.size());
+  for(int f = 0; f < polygons.number(); ++f)
+  {
+    Halfedge h = mesh.halfedge(Face(Mesh::size_type(f)));
+    while(int(mesh.target(h)) != polygons.vertices[std::size_t(polygons.begin(f))])
+      h = mesh.next(h);
+    for(int k = 0; k < polygons.size(f); ++k, h = mesh.next(h))
+      result.push_back(h);
+  }
+  return result;
+}
+
+} // namespace
+
+Surface read_surface(const Polygon_soup& soup, bool do_weld)
+{
+  const SMC::internal::Soup_surface read_as = read(soup, do_weld);
+  if(read_as.polygons.number() == 0)
+    throw Failure(Exit_code::UNSUPPORTED, "no face is part of a surface: each uses a vertex twice or has fewer than three");
+
+  Surface surface;
+  surface.mesh = make_mesh(read_as);
+  surface.vertices = read_as.origins;
+  surface.polygons = read_as.polygon_origins;
+  const std::vector<Halfedge> halfedges = halfedges_of_corners(read_as.polygons, surface.mesh);
+  surface.corners.assign(surface.mesh.num_halfedges(), -1);
+  for(std::size_t c = 0; c < read_as.corners.size(); ++c)
+  {
+    const Halfedge h = halfedges[std::size_t((std::max)(read_as.corners[c], 0))]; // away from the surface, any
+    surface.halfedges.push_back(h);
+    if(read_as.is_on_surface[c])
+      surface.corners[h] = int(c);
+  }
+  for(const SMC::Interpretation& finding : read_as.findings)
+    surface.interpreted.push_back(translate(finding));
+  return surface;
+}

@@ -1,0 +1,302 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_SOUP_SHEET_JOINER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_SOUP_SHEET_JOINER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/soup/Least_triangulation.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Oriented_pieces.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Soup_edges.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Which side of a polygon is across which side, and which polygons are turned over for that: a surface that is
+// manifold wherever vertices are split into the fans of their corners.
+//
+// Edges with two polygons connect these, unless the surface has only one side: then where a breadth-first search from
+// the lowest polygon meets itself turned over, the edge stays open. Of an edge with more polygons, as many pairs
+// as possible are connected, first those that closes a fan at one of its vertices: an edge where two bodies touch is
+// closed on both, and along a line of such edges the same sheets stay connected.
+class Sheet_joiner
+{
+public:
+  Sheet_joiner(const std::vector<Point>& points, const Polygons& polygons, const std::vector<char>& is_used,
+               const Soup_edges& edges)
+    : m_points(points), m_polygons(polygons), m_edges(edges), m_owners(polygons.owners()),
+      m_mates(polygons.vertices.size(), -1), m_pieces_of_polygons(polygons.ends.size(), -1),
+      m_is_turned(polygons.ends.size(), 0), m_pieces(0), m_fans(polygons.number_of_corners())
+  {
+    join_simple_edges(is_used);
+    join_other_edges();
+    turn_as_few_as_possible(is_used);
+  }
+
+  // Per side of a polygon, the one across, or -1.
+  const std::vector<int>& mates() const { return m_mates; }
+  // Per polygon.
+  const std::vector<char>& is_turned() const { return m_is_turned; }
+  // The edges with two polygons that had to stay open.
+  const std::vector<int>& non_orientable_edges() const { return m_non_orientable_edges; }
+
+private:
+  using Side = Soup_edges::Side;
+
+  int owner(const Side& side) const { return m_owners[side.corner]; }
+  int target(const Side& side) const { return m_polygons.next(owner(side), side.corner); }
+  // The corner at the lower or at the higher vertex.
+  int corner_at(const Side& side, bool is_low) const { return is_low == side.is_upward ? side.corner : target(side); }
+
+  // Whether two sides disagree about which side of the surface is up, within their pieces as they are turned so far.
+  bool disagree(const Side& a, const Side& b) const
+  {
+    return (a.is_upward != bool(m_is_turned[owner(a)])) == (b.is_upward != bool(m_is_turned[owner(b)]));
+  }
+
+  void mate(const Side& a, const Side& b)
+  {
+    m_mates[a.corner] = b.corner;
+    m_mates[b.corner] = a.corner;
+    for(bool is_low : {true, false})
+      m_fans.unite(corner_at(a, is_low), corner_at(b, is_low));
+  }
+
+  void join_simple_edges(const std::vector<char>& is_used)
+  {
+    std::vector<int> edge_of_side(m_mates.size(), -1);
+    for(int e = 0; e < m_edges.number(); ++e)
+      for(int i = 0; m_edges.size(e) == 2 && i < 2; ++i)
+        edge_of_side[m_edges.side(e, i).corner] = e;
+    int number_of_pieces = 0;
+    for(int seed = 0; seed < m_polygons.number(); ++seed)
+      if(is_used[seed] && m_pieces_of_polygons[seed] < 0)
+        visit_piece(seed, number_of_pieces++, edge_of_side);
+    m_pieces = Oriented_pieces(number_of_pieces);
+    for(int e = 0; e < m_edges.number(); ++e)
+      if(m_edges.size(e) == 2)
+      {
+        if(disagree(m_edges.side(e, 0), m_edges.side(e, 1)))
+          m_non_orientable_edges.push_back(e);
+        else
+          mate(m_edges.side(e, 0), m_edges.side(e, 1));
+      }
+  }
+
+  void visit_piece(int seed, int piece, const std::vector<int>& edge_of_side)
+  {
+    std::deque<int> queue = {seed};
+    m_pieces_of_polygons[seed] = piece;
+    while(!queue.empty())
+    {
+      const int polygon = queue.front();
+      queue.pop_front();
+      for(int c = m_polygons.begin(polygon); c < m_polygons.end(polygon); ++c)
+      {
+        const int e = edge_of_side[c];
+        if(e < 0)
+          continue;
+        const Side& a = m_edges.side(e, 0);
+        const Side& b = m_edges.side(e, 1);
+        const int other = owner(a) == polygon ? owner(b) : owner(a);
+        if(m_pieces_of_polygons[other] >= 0)
+          continue;
+        m_pieces_of_polygons[other] = piece;
+        m_is_turned[other] = (a.is_upward == b.is_upward) != bool(m_is_turned[polygon]);
+        queue.push_back(other);
+      }
+    }
+  }
+
+  // How good it is to connect two sides: what is compared first comes first.
+  struct Choice
+  {
+    int fans = -1; // that this closes
+    bool is_same_piece = false, agrees = false;
+    double flatness = 0;
+    int first = -1, second = -1; // sides of the edge
+
+    bool operator<(const Choice& other) const
+    {
+      return std::tie(fans, is_same_piece, agrees, flatness)
+             < std::tie(other.fans, other.is_same_piece, other.agrees, other.flatness);
+    }
+  };
+
+  Choice choice(int e, int i, int j)
+  {
+    const Side& a = m_edges.side(e, i);
+    const Side& b = m_edges.side(e, j);
+    const bool do_disagree = disagree(a, b);
+    const int piece = m_pieces_of_polygons[owner(a)], other = m_pieces_of_polygons[owner(b)];
+    if(!m_pieces.can_connect(piece, other, do_disagree))
+      return Choice();
+    Choice result;
+    result.fans = 0;
+    for(bool is_low : {true, false})
+      result.fans += m_fans.find(corner_at(a, is_low)) == m_fans.find(corner_at(b, is_low));
+    result.is_same_piece = m_pieces.find(piece).first == m_pieces.find(other).first;
+    result.agrees = !do_disagree;
+    result.flatness = (a.is_upward == b.is_upward ? -1 : 1) * normal(owner(a)).dot(normal(owner(b)));
+    result.first = i;
+    result.second = j;
+    return result;
+  }
+
+  // Unit length, or zero.
+  Point normal(int polygon) const
+  {
+    std::vector<Point> corners;
+    for(int c = m_polygons.begin(polygon); c < m_polygons.end(polygon); ++c)
+      corners.push_back(m_points[m_polygons.vertices[c]]);
+    const Point sum = area_vector(corners);
+    const double length = sum.norm();
+    return length > 0 ? Point(sum / length) : Point(0, 0, 0);
+  }
+
+  // Among many sides, only consecutive ones are compared.
+  Choice best_choice(int e)
+  {
+    constexpr std::size_t many = 8;
+    std::vector<int> open;
+    for(int i = 0; i < m_edges.size(e); ++i)
+      if(m_mates[m_edges.side(e, i).corner] < 0)
+        open.push_back(i);
+    Choice best;
+    for(std::size_t i = 0; i < open.size(); ++i)
+      for(std::size_t j = i + 1; j < (open.size() > many ? (std::min)(i + 2, open.size()) : open.size()); ++j)
+      {
+        const Choice next = choice(e, open[i], open[j]);
+        if(best < next)
+          best = next;
+      }
+    return best;
+  }
+
+  void join_other_edges()
+  {
+    std::vector<int> edges;
+    for(int e = 0; e < m_edges.number(); ++e)
+      if(m_edges.size(e) > 2)
+        edges.push_back(e);
+    if(edges.empty())
+      return;
+    collect_neighbors(edges);
+    m_is_waiting.assign(m_edges.number(), 0);
+    for(int e : edges)
+      wait(e);
+    close_fans();
+    for(int e : edges)
+      while(join(e, 0))
+        close_fans();
+  }
+
+  // The edges with more than two polygons at each vertex.
+  void collect_neighbors(const std::vector<int>& edges)
+  {
+    m_neighbor_ends.assign(m_points.size() + 1, 0);
+    for(int e : edges)
+      for(int v : {m_edges.low(e), m_edges.high(e)})
+        ++m_neighbor_ends[v + 1];
+    for(std::size_t v = 0; v < m_points.size(); ++v)
+      m_neighbor_ends[v + 1] += m_neighbor_ends[v];
+    m_neighbors.resize(m_neighbor_ends.back());
+    std::vector<int> places(m_neighbor_ends.begin(), m_neighbor_ends.end() - 1);
+    for(int e : edges)
+      for(int v : {m_edges.low(e), m_edges.high(e)})
+        m_neighbors[places[v]++] = e;
+  }
+
+  void wait(int e)
+  {
+    if(!std::exchange(m_is_waiting[e], char(1)))
+      m_waiting.push_back(e);
+  }
+
+  void close_fans()
+  {
+    while(!m_waiting.empty())
+    {
+      const int e = m_waiting.front();
+      m_waiting.pop_front();
+      m_is_waiting[e] = 0;
+      while(join(e, 1)) {}
+    }
+  }
+
+  // Connects the best two sides of an edge that close at least this number of fans.
+  bool join(int e, int least_number_of_fans)
+  {
+    constexpr int many = 64; // edges at a vertex: then the order in which they are connected matters little
+    const Choice best = best_choice(e);
+    if(best.fans < least_number_of_fans)
+      return false;
+    const Side& a = m_edges.side(e, best.first);
+    const Side& b = m_edges.side(e, best.second);
+    m_pieces.connect(m_pieces_of_polygons[owner(a)], m_pieces_of_polygons[owner(b)], !best.agrees);
+    mate(a, b);
+    for(int v : {m_edges.low(e), m_edges.high(e)})
+      if(m_neighbor_ends[v + 1] - m_neighbor_ends[v] <= many)
+        for(int i = m_neighbor_ends[v]; i < m_neighbor_ends[v + 1]; ++i)
+          if(m_neighbors[i] != e)
+            wait(m_neighbors[i]);
+    return true;
+  }
+
+  // Of what is connected, most polygons stay as they are; if as many would be turned, the lowest one stays.
+  void turn_as_few_as_possible(const std::vector<char>& is_used)
+  {
+    std::vector<int> votes(m_polygons.number(), 0); // per piece, for turning it
+    for(int p = 0; p < m_polygons.number(); ++p)
+      if(is_used[p])
+      {
+        const auto [root, is_turned] = m_pieces.find(m_pieces_of_polygons[p]);
+        m_is_turned[p] = bool(m_is_turned[p]) != is_turned;
+        const int weight = votes[root] == 0 ? 3 : 2; // a tie is broken by the lowest one
+        votes[root] += m_is_turned[p] ? weight : -weight;
+      }
+    for(int p = 0; p < m_polygons.number(); ++p)
+      if(is_used[p] && votes[m_pieces.find(m_pieces_of_polygons[p]).first] > 0)
+        m_is_turned[p] = !m_is_turned[p];
+  }
+
+  const std::vector<Point>& m_points;
+  const Polygons& m_polygons;
+  const Soup_edges& m_edges;
+  const std::vector<int> m_owners;
+  std::vector<int> m_mates;
+  std::vector<int> m_pieces_of_polygons; // connected by edges with two polygons
+  std::vector<char> m_is_turned;
+  Oriented_pieces m_pieces;
+  CGAL::internal::Graph_kernel::Disjoint_sets m_fans; // of corners
+  std::vector<int> m_non_orientable_edges;
+  std::vector<int> m_neighbors, m_neighbor_ends; // in compressed rows
+  std::deque<int> m_waiting;
+  std::vector<char> m_is_waiting;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_SOUP_SHEET_JOINER_H

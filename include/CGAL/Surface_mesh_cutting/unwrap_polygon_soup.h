@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_UNWRAP_POLYGON_SOUP_H
+#define CGAL_SURFACE_MESH_CUTTING_UNWRAP_POLYGON_SOUP_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/Interpretation.h>
+#include <CGAL/Surface_mesh_cutting/Polygon_soup.h>
+#include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Soup_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/run_pipeline.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// what `unwrap_polygon_soup()` computes besides the UVs.
+struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
+{
+  /// what is not a plain surface, and was read as one.
+  std::vector<Interpretation> interpreted;
+};
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// unwraps whatever surface a polygon soup describes, as `unwrap()` does for meshes. Nothing is repaired: points, polygons
+/// and their order stay, and the surface is a reading of them.
+/// - Polygons may have any number of corners, and need neither be convex nor quite flat. They are never cut.
+/// - Edges with two polygons connect these, edges with one are border. Of those with more, pairs of polygons stay
+///   connected, chosen so that borders get short; the others get a border there.
+/// - A vertex whose polygons form several fans is as many vertices of the surface.
+/// - Where neighbors disagree about which side is up, as few polygons as possible are read backward. Their
+///   UVs are clockwise. Surfaces with only one side are opened.
+/// - Polygons with a vertex twice, or with the vertices of a former polygon in the same cyclic order, are not part of the
+///   surface. They get UVs of the place where they lie.
+///
+/// The cost of the reading is nearly linear in the size of the soup.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
+///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam PointRange a range of `%Point_3` of any kernel
+/// \tparam PolygonRange a range of ranges of indices of points
+/// \tparam CornerUVs a model of `RandomAccessContainer` whose value type is a model of `RandomAccessContainer` of
+///         points that can be constructed from two numbers and have members `x()` and `y()`, such as
+///         `std::vector<std::vector<Point_2> >`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param points the points
+/// \param polygons the polygons
+/// \param corner_uvs receives the UVs: `corner_uvs[p][k]` is that of corner `k` of polygon `p`, at the scale of the
+///        surface. It stays unchanged unless `Cut_result::has_result`. Corners of degenerate polygons away from the surface
+///        get any UV of it.
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `unwrap()`, and the one listed
+///        below. Vertices are indices of points, and edges are pairs (`std::pair<std::size_t, std::size_t>`) of them,
+///        the lower one first. Such a pair may stand for several edges of the surface.
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{do_weld_points}
+///     \cgalParamDescription{whether vertices at exactly the same point count as one}
+///     \cgalParamType{Boolean}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{What comes from a format without indices needs it.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was found; components, genus and borders are those of the surface. Its `status` is one of those of
+///         `unwrap()`; it is `Status_code::WRONG_PARAMETER` for polygons that refer to points which do not exist, and
+///         `Status_code::EMPTY_MESH` if no polygon is part of a surface.
+///
+/// \sa `unwrap()`
+/// \sa `certify_unwrapped_polygon_soup()`
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename PolygonRange, typename CornerUVs,
+          typename NamedParameters = parameters::Default_named_parameters>
+Unwrap_soup_result unwrap_polygon_soup(const PointRange& points, const PolygonRange& polygons, CornerUVs& corner_uvs,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using UV = typename CornerUVs::value_type::value_type;
+
+  std::vector<Interpretation> interpreted;
+  const bool do_weld = choose_parameter(get_parameter(np, internal_np::do_weld_points), false);
+  Unwrap_soup_result result = internal::run_on_adapter<ConcurrencyTag, Unwrap_soup_result, UV>(
+    [&]
+    {
+      internal::Soup_adapter adapter(points, polygons, do_weld);
+      interpreted = adapter.surface().findings;
+      return adapter;
+    },
+    internal::Output_kind::MAP,
+    [&](const auto& adapter, const internal::Mesh_result& found)
+    {
+      const std::vector<UV> uvs = adapter.template make_uvs<UV>(found.chart, found.uv);
+      auto uv = uvs.begin();
+      corner_uvs.clear();
+      for(const auto& polygon : polygons)
+      {
+        const auto end = uv + std::ptrdiff_t(polygon.size());
+        corner_uvs.emplace_back(uv, end);
+        uv = end;
+      }
+    },
+    np);
+  result.interpreted = std::move(interpreted);
+  return result;
+}
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_UNWRAP_POLYGON_SOUP_H
