@@ -99,8 +99,9 @@ struct Exact_tag
 /// \endcond
 };
 
-/// a shortest tree if `maximum_number_of_states` suffices to find and to prove it, otherwise the best tree found by
-/// greedy insertion and local search over auxiliary points, with a lower bound. The default
+/// a shortest tree if `maximum_number_of_states` suffices to find and to prove it, otherwise the best tree found, with a
+/// lower bound: by local search over auxiliary points or, in large graphs, by searching corridors around good trees.
+/// The default
 struct Best_tag
 {
 /// \cond SKIP_IN_MANUAL
