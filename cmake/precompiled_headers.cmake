@@ -2,8 +2,11 @@
 # set anyway, itself or through our own headers; so what compiles with the set includes what it needs.
 # (ccache caches what uses them with CCACHE_SLOPPINESS=pch_defines,time_macros.)
 
-# From small to large: the last set that fits is taken.
+# From small to large.
 set(precompiled_sets graph numbers parameters predicates solvers surface cutting cutting_of_surface)
+# With GCC, a set takes up to half a gigabyte: programs use few.
+set(precompiled_sets_of_programs graph numbers solvers surface cutting_of_surface)
+
 set(precompiled_graph
   boost/graph/graph_traits.hpp boost/property_map/property_map.hpp boost/graph/detail/d_ary_heap.hpp)
 set(precompiled_numbers Eigen/Core)
@@ -41,11 +44,11 @@ function(foreign_headers file result)
   set(${result} "${headers}" PARENT_SCOPE)
 endfunction()
 
-# precompiled_set_for(FILE RESULT): its name, or nothing
+# precompiled_set_for(FILE RESULT SET...): the name of the last SET that fits, or nothing
 function(precompiled_set_for file result)
   foreign_headers("${file}" reached)
   set(${result} "" PARENT_SCOPE)
-  foreach(name IN LISTS precompiled_sets)
+  foreach(name IN LISTS ARGN)
     set(missing ${precompiled_${name}})
     list(REMOVE_ITEM missing ${reached})
     if(NOT missing)
@@ -65,7 +68,7 @@ function(precompile_headers_of folder)
     get_target_property(type ${target} TYPE)
     if(type STREQUAL "EXECUTABLE")
       get_target_property(source ${target} SOURCES)
-      precompiled_set_for("${source}" name)
+      precompiled_set_for("${source}" name ${precompiled_sets_of_programs})
       if(name)
         target_precompile_headers(${target} REUSE_FROM precompiled_${name})
       endif()
