@@ -108,11 +108,12 @@ Measurement measure(Mesh& mesh, const std::vector<double>& avoided, const std::o
     throw std::runtime_error(result.status.message);
   if(!SMC::certify_unwrap(mesh, is_cut, uv))
     throw std::runtime_error("the result is not valid");
+  const double unit = diagonal(mesh);
   for(const auto e : mesh.edges())
     if(is_cut[e])
     {
-      measurement.length += length(mesh, e) / diagonal(mesh);
-      measurement.avoided += avoided[e] / diagonal(mesh);
+      measurement.length += length(mesh, e) / unit;
+      measurement.avoided += avoided[e] / unit;
       if(weights && std::isinf((*weights)[e]))
         throw std::runtime_error("a forbidden edge is cut");
     }

@@ -47,6 +47,9 @@ PROGRAMS = {
     "published": Program("pipeline", ["--faithful"], SMALL + ["elk", "head", "mushroom", "pinion"]),
     "handles": Program("pipeline", ["--effort", "fast"], ["anchor", "eight", "elephant", "elk", "helmet", "joint",
                                                           "knot1", "pinion", "rotor"]),
+    # what weights cost: lengths are costs
+    "weighted": Program("weighted_cuts", ["front"], ["anchor", "eight", "hand", "helmet", "rotor", "spool"]),
+    "weighted_coarse": Program("weighted_cuts", ["front"], ["dino"]),
     "trees": Program("connect_many_terminals", ["60", "1"], ["cactus", "hand", "head"]),
 }
 
@@ -61,6 +64,8 @@ class Runner:
     def command(self, run):
         program = PROGRAMS[run.kind]
         mesh = str(self.meshes / (run.mesh + ".off"))
+        if program.name == "weighted_cuts":
+            return [str(self.binaries / program.name), *program.options, str(self.meshes), run.mesh + ".off"]
         options = ["--repetitions", "1"] if program.name == "pipeline" else []
         return [str(self.binaries / program.name), mesh, *program.options, *options]
 
@@ -74,15 +79,23 @@ class Runner:
         if process.returncode != 0:
             return Outcome(False, "crash", 0, 0, 0)
         rows = list(csv.DictReader(process.stdout.splitlines()))
-        return outcome_of_pipeline(rows[0]) if PROGRAMS[run.kind].name == "pipeline" else outcome_of_trees(rows)
+        return OUTCOMES[PROGRAMS[run.kind].name](rows)
 
 
-def outcome_of_pipeline(row):
+def outcome_of_pipeline(rows):
+    row = rows[0]
     is_done = row["status"] == "done"
     if not is_done:
         return Outcome(False, row["status"], 0, 0, 0)
     result = tuple(row[key] for key in ("candidates", "features", "auxiliary", "L", "E", "largest_face_distortion"))
     return Outcome(True, result, float(row["L"]), float(row["E"]), float(row["total_s"]))
+
+
+def outcome_of_weighted_cuts(rows):
+    """The cost in place of the length."""
+    row = {key.removeprefix("constrained_"): value for key, value in rows[0].items() if key.startswith("constrained_")}
+    result = tuple(row[key] for key in ("L", "avoided", "E"))
+    return Outcome(True, result, float(row["avoided"]), float(row["E"]), float(row["seconds"]))
 
 
 def outcome_of_trees(rows):
@@ -91,12 +104,18 @@ def outcome_of_trees(rows):
                    sum(float(row["cpu_seconds"]) for row in rows))
 
 
-def build(folder, constants):
-    """The folder of the programs. Their sources are copied, since they find the headers relative to themselves."""
+OUTCOMES = {"pipeline": outcome_of_pipeline, "weighted_cuts": outcome_of_weighted_cuts,
+            "connect_many_terminals": outcome_of_trees}
+PACKAGES = {"pipeline": "Surface_mesh_cutting", "weighted_cuts": "Surface_mesh_cutting", "connect_many_terminals": "BGL"}
+
+
+def build(folder, constants, programs):
+    """The folder of these programs. Their sources are copied, since they find the headers relative to themselves."""
     varied_headers.write_varied_headers(ROOT / "include", folder / "include", constants)
     shutil.copytree(ROOT / "benchmark", folder / "benchmark", dirs_exist_ok=True)
     binaries = folder / "bin"
-    for package, program in (("Surface_mesh_cutting", "pipeline"), ("BGL", "connect_many_terminals")):
+    for program in programs:
+        package = PACKAGES[program]
         subprocess.run(["cmake", "-S", str(folder / "benchmark" / package), "-B", str(folder / package),
                         "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_MODULE_PATH={ROOT / 'cmake'}",
                         f"-DCMAKE_RUNTIME_OUTPUT_DIRECTORY={binaries}", "--log-level=ERROR"], check=True)
@@ -149,11 +168,14 @@ def read_results(path):
         return {(row["constant"], float(row["factor"])): row for row in csv.DictReader(file)}
 
 
-def vary(runner, constants, arguments, path):
+def vary(constants, arguments, path):
     done = read_results(path)
     to_do = [(c["constant"], row, c["runs"].split(), factor) for row, c in enumerate(constants) for factor in FACTORS
              if c["runs"] and (c["constant"], factor) not in done and re.search(arguments.only, c["constant"])]
-    known = references(runner, sorted({kind for task in to_do for kind in task[2]}), arguments.repetitions)
+    kinds = sorted({kind for task in to_do for kind in task[2]})
+    binaries = build(path.parent.resolve(), constants, sorted({PROGRAMS[kind].name for kind in kinds}))
+    runner = Runner(binaries, arguments.meshes.resolve())
+    known = references(runner, kinds, arguments.repetitions)
     with open(path, "a", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
         if not done:
@@ -206,8 +228,7 @@ def main():
     if arguments.table:
         print_table(constants, read_results(path))
     else:
-        folder = arguments.build.resolve()
-        vary(Runner(build(folder, constants), arguments.meshes.resolve()), constants, arguments, path)
+        vary(constants, arguments, path)
 
 
 if __name__ == "__main__":

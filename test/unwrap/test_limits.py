@@ -111,6 +111,15 @@ class Limits(Case):
                     self.write("a.off", to_off(mesh))
                     self.assertIn(self.unwrap("a.off", "-o", "out.obj", *options).returncode, (0, 5))
 
+    def test_without_area(self):
+        """Next to the size of the whole, all edges but those at one vertex vanish."""
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1e304)]
+        for options in OPTIONS:
+            with self.subTest(options=options):
+                self.write("a.off", to_off((points, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])))
+                report = self.assert_refused(5, "a.off", "-o", "out.obj", *options)
+                self.assertIsNone(report["E_iso"])
+
     def test_scale_does_not_matter(self):
         expected = self.assert_unwrapped(SPHERE)
         for exponent in (-1000, -664, 664, 1000):

@@ -95,6 +95,15 @@ class Figures:
             objects += draw_surface(surface, Cell(400 * i + 200, 0, 200, 420), HOMER_BACK)
         return 1200, 420, objects
 
+    def weights(self):
+        """front and back, without weights and with those that hide the cut from the front"""
+        objects = []
+        for i, options in enumerate(([], ["--edge-weights", "sky:z"])):
+            surface = self.unwrap("homer", *options)
+            objects += draw_surface(surface, Cell(560 * i, 0, 270, 440), HOMER)
+            objects += draw_surface(surface, Cell(560 * i + 270, 0, 270, 440), HOMER_BACK)
+        return 1100, 440, objects
+
     def topology(self):
         self.run("handle_loops", self.mesh("elephant"), self.work / "loops.obj")
         elephant, objects = self.unwrap("elephant"), []
@@ -117,7 +126,7 @@ class Figures:
         print("made", self.output / f"{name}.png")
 
 
-ALL = ["introduction", "overview", "method", "distortion_bound", "connection", "constraints", "topology",
+ALL = ["introduction", "overview", "method", "distortion_bound", "connection", "constraints", "weights", "topology",
        "bijective"]
 
 
