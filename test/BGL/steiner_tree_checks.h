@@ -82,6 +82,14 @@ inline void check_all_methods(const Core::Csr_graph& graph, const std::vector<in
   CHECK(solution.tree.length >= optimum * (1. - 1e-9));
   CHECK(solution.lower_bound <= optimum * (1. + 1e-9));
   CHECK(!solution.is_optimal || are_equal(solution.tree.length, optimum));
+  // where there are too many terminals for the exact solver, near points find a tree
+  options.maximum_number_of_terminals = 0;
+  options.maximum_number_of_states = 10000;
+  const Core::Solution near = Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; });
+  check_tree(graph, terminals, near.tree);
+  CHECK(near.tree.length >= optimum * (1. - 1e-9));
+  CHECK(near.tree.length <= 2. * optimum * (1. + 1e-9));
+  CHECK(near.lower_bound <= optimum * (1. + 1e-9));
 }
 
 #endif // STEINER_TREE_CHECKS_H

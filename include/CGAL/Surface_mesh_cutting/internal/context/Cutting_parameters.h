@@ -58,8 +58,8 @@ struct Cutting_parameters
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
   // How the feature points are connected; its decrease is epsilon_len as a length.
   CGAL::internal::Steiner_tree::Options connection;
-  // More are not connected by a tree that is proven shortest, in any reasonable time.
-  static constexpr std::size_t many_terminals = 100;
+  // More, on surfaces with handles, are not connected by a tree that is proven shortest: it would take too long.
+  static constexpr std::size_t many_terminals = 40;
   // Whether it is a failure if the tree through the final points is not proven to be shortest.
   bool needs_optimal_tree = false;
   // At most, for each of the trees that are tried while a cut is refined. A hundred points can use up any

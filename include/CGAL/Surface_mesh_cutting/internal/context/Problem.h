@@ -38,7 +38,8 @@ struct Problem
   std::vector<int> terminals;
   Initial_cut initial;
   bool is_sphere;
-  bool is_opened = false; // to a disk, by what is mandatory
+  bool has_many_handles = false; // more than a tree that is proven shortest could connect the loops of
+  bool is_opened = false;        // to a disk, by what is mandatory
 };
 
 } // namespace internal

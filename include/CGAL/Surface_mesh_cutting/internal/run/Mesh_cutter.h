@@ -149,7 +149,8 @@ private:
     const double diagonal = bounding_box_diagonal(component.mesh);
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
     parameters.decrease_per_cost /= diagonal;
-    if(component.topology.genus() > 0 && !parameters.needs_optimal_tree)
+    const bool many_handles = has_many_handles(component.topology, terminals.size(), parameters);
+    if(many_handles)
       parameters.connection.maximum_number_of_terminals = Cutting_parameters::many_terminals;
     if(!weights_are_lengths(component.mesh, constraints))
       parameters.adapt_to_weights();
@@ -159,13 +160,21 @@ private:
                     std::move(constraints),
                     std::move(terminals),
                     Initial_cut(component.restriction(m_constraints.initial)),
-                    component.topology.genus() == 0 && component.topology.border_loops == 0};
+                    component.topology.genus() == 0 && component.topology.border_loops == 0, many_handles};
     Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_context.control, m_context.clock});
     part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(output == Output_kind::MAP);
     part.cost *= cost_unit;
     for(Trade_off& t : part.trade_offs)
       t.cut_cost *= cost_unit;
     return part;
+  }
+
+  // Whether loops that cut the handles may leave more borders than a tree that is proven shortest connects.
+  static bool has_many_handles(const Topology& topology, std::size_t terminals, const Cutting_parameters& parameters)
+  {
+    return topology.genus() > 0 && !parameters.needs_optimal_tree && !parameters.use_published_method &&
+           parameters.connection.method == CGAL::internal::Steiner_tree::Method::exact &&
+           2 * topology.genus() + topology.border_loops + terminals > Cutting_parameters::many_terminals;
   }
 
   static bool has_result(const Component_result& part, Output_kind output)

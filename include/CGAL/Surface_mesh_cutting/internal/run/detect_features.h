@@ -102,7 +102,8 @@ Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start,
                   coarse_constraints(fine.mesh, fine.constraints, coarse, terminals), terminals,
                   Initial_cut(), fine.is_sphere};
   Detected_features detected;
-  detected.status = cut_handles_of(problem, context);
+  if(!problem.is_sphere)
+    detected.status = cut_handles_of(problem, context);
   if(!detected.status)
     return detected;
   const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);

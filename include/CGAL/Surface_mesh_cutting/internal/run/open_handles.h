@@ -19,7 +19,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Handle_loops.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/dihedral_angles.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -30,8 +33,6 @@ namespace internal {
 // Makes loops mandatory that cut the handles (paper, Section 3.3), along a given cut where that is possible.
 inline Indexed_status cut_handles_of(Problem& problem, const Context& context)
 {
-  if(problem.is_sphere)
-    return Indexed_status();
   const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
   Handle_loops handles = cut_handles(problem.mesh,
                                      problem.initial.is_given() ? problem.initial.guide(problem.constraints)
@@ -41,30 +42,44 @@ inline Indexed_status cut_handles_of(Problem& problem, const Context& context)
   return handles.status;
 }
 
-// Whether the loops leave so many borders that no tree through them, and through features on the way, would be proven
-// shortest.
-inline bool has_many_borders(const Problem& problem, const Cutting_parameters& parameters)
+// The same constraints, but edges cost less the sharper they are, down by `share` at right angles: maps lose least where
+// the surface is bent anyway.
+inline Edge_constraints favor_creases(const Indexed_mesh& mesh, Edge_constraints constraints, double share)
 {
-  if(problem.is_sphere || problem.initial.is_given())
-    return false;
-  const std::size_t borders = make_chart(problem.mesh, problem.constraints.mandatory).border_loops().size();
-  return borders + problem.terminals.size() > parameters.connection.maximum_number_of_terminals;
+  constexpr double right_angle = 1.57;
+  const std::vector<double> angles = dihedral_angles(mesh);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    constraints.weights[e] *= 1 - share * (std::min)(1., std::abs(angles[e]) / right_angle);
+  return constraints;
 }
 
 // Makes a cut to one disk mandatory: loops and a tree through what they leave, and then what that becomes when paths are
-// exchanged for cheaper ones. Features are connected to it.
+// exchanged for cheaper ones. Features are connected to it. Creases decide about distortion, which so many loops
+// cause more of than features take back, unless the caller's weights are to be kept.
 template <typename ConcurrencyTag>
 Indexed_status open_to_disk(Problem& problem, const Context& context)
 {
+  constexpr double share_for_loops = 0.5, share_for_paths = 0.2; // measured; more makes cuts longer
+  const Indexed_mesh& mesh = problem.mesh;
+  const double is_free = context.parameters.has_weights ? 0 : 1;
+  Handle_loops handles;
+  {
+    const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
+    handles = cut_handles(mesh, favor_creases(mesh, problem.constraints, is_free * share_for_loops), context.control);
+  }
+  if(!handles.status)
+    return handles.status;
   const Phase_clock::Measurement measurement(context.clock, Phase::CONNECT);
-  Connected_cut connected = connect_terminals<ConcurrencyTag>(problem.mesh, problem.constraints, problem.terminals,
+  Edge_constraints constraints = favor_creases(mesh, problem.constraints, is_free * share_for_paths);
+  constraints.mandatory = std::move(handles.cut);
+  Connected_cut connected = connect_terminals<ConcurrencyTag>(mesh, constraints, problem.terminals,
                                                               context.parameters.connection, context.control);
   if(!connected.status)
     return connected.status;
-  std::vector<char> is_kept(problem.mesh.number_of_vertices(), 0);
+  std::vector<char> is_kept(mesh.number_of_vertices(), 0);
   for(int v : problem.terminals)
     is_kept[v] = 1;
-  Opening_search search(problem.mesh, problem.constraints, std::move(is_kept), std::move(connected.cut));
+  Opening_search search(mesh, constraints, std::move(is_kept), std::move(connected.cut));
   search.run(context.control);
   problem.constraints.mandatory = search.cut();
   problem.is_opened = true;
@@ -75,9 +90,10 @@ Indexed_status open_to_disk(Problem& problem, const Context& context)
 template <typename ConcurrencyTag>
 Indexed_status open_handles(Problem& problem, const Context& context)
 {
-  const Indexed_status status = cut_handles_of(problem, context);
-  return status && has_many_borders(problem, context.parameters) ? open_to_disk<ConcurrencyTag>(problem, context)
-                                                                 : status;
+  if(problem.is_sphere)
+    return Indexed_status();
+  return problem.has_many_handles && !problem.initial.is_given() ? open_to_disk<ConcurrencyTag>(problem, context)
+                                                                 : cut_handles_of(problem, context);
 }
 
 } // namespace internal
