@@ -160,7 +160,9 @@ void test_grid(int size, CGAL::Random& random)
   const Eigen::VectorXd expected = Eigen_solver(matrix).solve(system.gradient());
   std::cout << matrix.cols() << " unknowns, relative difference "
             << (solution - expected).norm() / expected.norm() << std::endl;
-  assert((solution - expected).norm() <= 1e-8 * expected.norm());
+  assert((solution - expected).norm() <= 1e-6 * expected.norm());
+  const Eigen::VectorXd product = matrix.selfadjointView<Eigen::Upper>() * solution;
+  assert((product - system.gradient()).norm() <= 1e-12 * (matrix.norm() * solution.norm() + system.gradient().norm()));
 #ifdef CGAL_LINKED_WITH_TBB
   const Newton_system parallel_system = make_system(Execution::PARALLEL);
   assert(parallel_system.gradient() == system.gradient());
