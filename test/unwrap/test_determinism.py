@@ -30,5 +30,12 @@ class Determinism(Case):
                     for threads in (1, 2, 2):
                         self.assertEqual(self.outputs(mesh, options, threads), first)
 
+    # So large that threads share the work on one chart.
+    def test_large_chart(self):
+        self.write("large.off", to_off(sphere(6)))
+        first = self.outputs("large.off", ["--effort", "fast"], 1)
+        for threads in (2, 3):
+            self.assertEqual(self.outputs("large.off", ["--effort", "fast"], threads), first)
+
 
 main()

@@ -51,11 +51,13 @@ constexpr double hopeless_energy = 100;
 class Chart_parameterizer
 {
 public:
-  // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat.
+  // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat. `ranks`: see
+  // `Newton_system`.
   Chart_parameterizer(const Corner_table& chart, std::vector<Eigen::Vector3d> points,
-                      const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers)
+                      const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                      std::vector<int> ranks = {})
     : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
-      m_linear_solvers(linear_solvers)
+      m_linear_solvers(linear_solvers), m_ranks(std::move(ranks))
   {}
 
   // As conformal as possible, free border: KP-Newton on the MIPS energy. The result has the surface's area.
@@ -101,11 +103,15 @@ public:
     return solver().minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
   }
 
+  // The place of each vertex in the order of elimination.
+  const std::vector<int>& positions() { return solver().positions(); }
+
 private:
   Newton_solver& solver()
   {
     if(!m_solver)
-      m_solver = std::make_unique<Newton_solver>(m_chart.triangles(), m_chart.number_of_vertices(), m_linear_solvers);
+      m_solver = std::make_unique<Newton_solver>(m_chart.triangles(), m_chart.number_of_vertices(), m_linear_solvers,
+                                                 std::vector<char>(), m_ranks);
     return *m_solver;
   }
 
@@ -139,6 +145,7 @@ private:
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
   const Linear_solver_source& m_linear_solvers;
+  const std::vector<int> m_ranks;
   std::unique_ptr<Newton_solver> m_solver;
 };
 

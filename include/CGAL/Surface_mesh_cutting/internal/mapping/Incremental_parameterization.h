@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,7 @@ public:
   // The same with another precision, see `Newton_options::decrement`.
   bool initialize(const Cut& cut, double bound, double precision)
   {
+    m_solver.pointer.reset();
     m_state.cut = cut;
     m_state.chart = make_chart(m_mesh, cut);
     m_state.energy = std::numeric_limits<double>::infinity();
@@ -88,6 +90,8 @@ public:
     bool is_mapped = map_from(m_policy.first_map);
     if(is_mapped && m_policy.first_map == First_map::TUTTE && is_hopeless())
       is_mapped = map_from(First_map::HIERARCHY);
+    if(is_mapped)
+      m_state.take_ranks(parameterizer.positions(), m_mesh.number_of_vertices());
     return is_mapped && m_state.energy <= bound && m_go_further();
   }
 
@@ -100,7 +104,11 @@ public:
 
   // What there is can be kept and put back.
   const Open_chart& state() const { return m_state; }
-  void restore(Open_chart state) { m_state = std::move(state); }
+  void restore(Open_chart state)
+  {
+    m_solver.pointer.reset();
+    m_state = std::move(state);
+  }
 
   // Opens the slit if this lowers the energy by more than `threshold`, and converges; otherwise the
   // state is as before. `slit` holds edges.
@@ -166,7 +174,7 @@ public:
     {
       std::vector<Eigen::Vector2d> warm_uv = m_state.uv;
       Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes,
-                                        m_policy.linear_solvers);
+                                        m_policy.linear_solvers, m_state.chart_ranks());
       const Newton_result cold = parameterizer.isometric_map(m_state.uv, options());
       if(cold.energy < result.energy)
         result = cold;
@@ -242,6 +250,20 @@ private:
       m_hopeless_solved_faces += double(result.iterations) * m_mesh.number_of_faces();
   }
 
+  // Is not copied: a copy makes a solver of its own.
+  struct Kept_solver
+  {
+    Kept_solver() = default;
+    Kept_solver(const Kept_solver&) {}
+    Kept_solver& operator=(const Kept_solver&)
+    {
+      pointer.reset();
+      return *this;
+    }
+
+    std::unique_ptr<Newton_solver> pointer;
+  };
+
   // A slit that was opened and may be closed again.
   struct Trial
   {
@@ -251,6 +273,7 @@ private:
 
   Trial begin(const std::vector<int>& slit)
   {
+    m_solver.pointer.reset();
     std::vector<int> halfedges;
     for(int e : slit)
       halfedges.push_back(m_mesh.halfedge(e));
@@ -263,6 +286,7 @@ private:
 
   void take_back(const Trial& trial)
   {
+    m_solver.pointer.reset();
     m_state.chart.close(trial.opening);
     m_state.uv = trial.former_uv;
   }
@@ -332,8 +356,11 @@ private:
 
   Newton_result solve(const Newton_options& o)
   {
-    Newton_solver solver(m_state.chart.triangles(), m_state.chart.number_of_vertices(), m_policy.linear_solvers);
-    return solver.minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
+    if(!m_solver.pointer)
+      m_solver.pointer
+        = std::make_unique<Newton_solver>(m_state.chart.triangles(), m_state.chart.number_of_vertices(),
+                                          m_policy.linear_solvers, std::vector<char>(), m_state.chart_ranks());
+    return m_solver.pointer->minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, m_state.uv, o);
   }
 
   // Solves the window with the rest held fixed; returns the gain. Ends as soon as the total gain is
@@ -342,7 +369,7 @@ private:
   {
     Local_window::System window = m_window.system(m_state, m_shapes, m_weights);
     Newton_solver solver(std::move(window.triangles), int(window.vertices.size()), m_policy.linear_solvers,
-                         std::move(window.is_fixed));
+                         std::move(window.is_fixed), m_state.ranks_of(window.vertices));
     const double before = solver.energy<Symmetric_Dirichlet_energy>(window.shapes, window.weights, window.uv);
     constexpr double decided = 0.01;  // of the threshold: what is left no longer matters
     constexpr double estimated = 0.1; // of the gain so far: slits differ by more
@@ -366,6 +393,7 @@ private:
   std::vector<double> m_weights;
   Go_further m_go_further;
   Open_chart m_state;
+  Kept_solver m_solver;  // of the whole chart as it is, once there was need for it
   Local_window m_window; // in work
   double m_hopeless_solved_faces = 0;
 };

@@ -36,7 +36,7 @@ struct Mapping_policy
   // See `Newton_options::decrement`. An accuracy well below epsilon_iso suffices: what the last step leaves
   // is far less than the decrement before it.
   double precision = 1e-4;
-  // The same for the map that is returned: its energy then lies within about 1e-5 of the least.
+  // The same for the map that is returned: about as close, relatively, its energy comes to the least.
   double final_precision = 1e-5;
   // Whether estimates may reject a slit. A slit is always accepted as soon as a map is found that gains
   // enough, since the best map gains no less.

@@ -18,7 +18,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -31,8 +33,42 @@ struct Open_chart
   Cut cut;
   Corner_table chart;
   std::vector<Eigen::Vector2d> uv;
+  // Of the surface's vertices: an order of elimination that suited an earlier chart suits this one, too; empty if
+  // none is known.
+  std::vector<int> ranks;
   double energy = 0; // area-averaged, converged
   double precision = std::numeric_limits<double>::infinity(); // the decrement that was reached, of the energy
+
+  // The ranks of some vertices of the chart.
+  std::vector<int> ranks_of(const std::vector<int>& vertices) const
+  {
+    std::vector<int> result;
+    if(ranks.empty())
+      return result;
+    for(int v : vertices)
+      result.push_back(ranks[chart.origins()[v]]);
+    return result;
+  }
+
+  // Those of all vertices of the chart.
+  std::vector<int> chart_ranks() const
+  {
+    std::vector<int> vertices(chart.number_of_vertices());
+    std::iota(vertices.begin(), vertices.end(), 0);
+    return ranks_of(vertices);
+  }
+
+  // Takes the ranks from the places of the chart's vertices in an order of elimination. Copies of a vertex are
+  // eliminated together.
+  void take_ranks(const std::vector<int>& positions, int number_of_surface_vertices)
+  {
+    ranks.assign(number_of_surface_vertices, -1);
+    for(int v = 0; v < int(positions.size()); ++v)
+    {
+      int& rank = ranks[chart.origins()[v]];
+      rank = (std::max)(rank, positions[v]);
+    }
+  }
 };
 
 } // namespace internal

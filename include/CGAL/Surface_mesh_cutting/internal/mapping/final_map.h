@@ -45,7 +45,8 @@ inline Newton_result final_map(const Problem& problem, const Open_chart& running
   }
   else
     result
-      = Chart_parameterizer(running.chart, points, problem.shapes, linear_solvers).improve_isometrically(uv, options);
+      = Chart_parameterizer(running.chart, points, problem.shapes, linear_solvers, running.chart_ranks())
+          .improve_isometrically(uv, options);
   if(!context.parameters.do_bijective)
     return result;
   return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, problem.shapes,

@@ -14,8 +14,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-
 #include <utility>
 #include <vector>
 
@@ -23,15 +21,23 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
+// The rows of the entries in each column of the upper triangle of a matrix, the diagonal included.
+struct Upper_pattern
+{
+  std::vector<int> starts, rows;
+
+  int size() const { return int(starts.size()) - 1; }
+};
+
 // The parents of the columns of a Cholesky factor in its elimination tree, -1 at roots: the row of the first entry
 // below the diagonal. Found without the factor, along paths that each visit shortens [Liu 1990].
-inline std::vector<int> elimination_tree(const Sparse_matrix& upper)
+inline std::vector<int> elimination_tree(const Upper_pattern& upper)
 {
-  const int n = int(upper.cols());
+  const int n = upper.size();
   std::vector<int> parent(n, -1), ancestor(n, -1);
   for(int column = 0; column < n; ++column)
-    for(Sparse_matrix::InnerIterator it(upper, column); it; ++it)
-      for(int i = int(it.index()); i >= 0 && i < column;)
+    for(int entry = upper.starts[column]; entry < upper.starts[column + 1]; ++entry)
+      for(int i = upper.rows[entry]; i >= 0 && i < column;)
       {
         const int next = std::exchange(ancestor[i], column);
         if(next < 0)

@@ -90,16 +90,15 @@ public:
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const
   {
-    const std::vector<int>& places = m_supernodes.places();
     const int n = m_supernodes.number_of_columns();
     Eigen::VectorXd x(n), result(n);
     for(int i = 0; i < n; ++i)
-      x[places[i]] = right[i];
+      x[m_supernodes.place(i)] = right[i];
     Eigen::VectorXd below(m_starts_below.back()); // of x, at the rows below each supernode
     m_schedule.ascend(m_execution, [&](int s) { solve_forward(s, x, below); });
     m_schedule.descend(m_execution, [&](int s) { solve_backward(s, x, below); });
     for(int i = 0; i < n; ++i)
-      result[i] = x[places[i]];
+      result[i] = x[m_supernodes.place(i)];
     return result;
   }
 
@@ -123,9 +122,7 @@ private:
     const int width = m_supernodes.width(s), below = m_supernodes.number_of_rows_below(s);
     Dense_block own = columns(s);
     own.setZero();
-    for(int j = 0; j < width; ++j)
-      m_supernodes.for_each_entry(m_supernodes.first_column(s) + j,
-                                  [&](int row, int entry) { own(row, j) += values[entry]; });
+    m_supernodes.for_each_entry(s, [&](int row, int column, int entry) { own(row, column) += values[entry]; });
     if(below > 0)
       m_rests[s].reset(new double[std::size_t(below) * below]()); // zeros
     for(int child = m_first_child[s]; child >= 0; child = m_next_sibling[child])

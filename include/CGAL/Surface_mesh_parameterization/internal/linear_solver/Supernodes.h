@@ -27,12 +27,13 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // The columns of a Cholesky factor in groups with the same rows below them, up to a few zeros: supernodes
-// [Ashcraft, Grimes 1989]. Columns are numbered in a postorder of the elimination tree.
+// [Ashcraft, Grimes 1989]. Columns are numbered in a postorder of the elimination tree. Where a matrix consists of
+// blocks of two rows and columns, as that of a map to the plane, all is found for nodes of two unknowns.
 class Supernodes
 {
 public:
   Supernodes() = default;
-  explicit Supernodes(const Sparse_matrix& upper)
+  explicit Supernodes(const Sparse_matrix& upper) : m_node_size(has_pairs(upper) ? 2 : 1)
   {
     sort_entries(upper);
     find_supernodes();
@@ -40,25 +41,39 @@ public:
     locate_rows();
   }
 
-  int number_of_columns() const { return int(m_places.size()); }
+  int number_of_columns() const { return m_node_size * int(m_places.size()); }
   int size() const { return int(m_supernodes.size()) - 1; }
-  // The number of each unknown among the columns.
-  const std::vector<int>& places() const { return m_places; }
-  int first_column(int s) const { return m_supernodes[s].first_column; }
+  // The number of an unknown among the columns.
+  int place(int unknown) const { return m_node_size * m_places[unknown / m_node_size] + unknown % m_node_size; }
+  int first_column(int s) const { return m_node_size * m_supernodes[s].first_node; }
   int width(int s) const { return first_column(s + 1) - first_column(s); }
-  int number_of_rows_below(int s) const { return m_supernodes[s + 1].first_row - m_supernodes[s].first_row; }
+  int number_of_rows_below(int s) const
+  { return m_node_size * (m_supernodes[s + 1].first_row - m_supernodes[s].first_row); }
   int height(int s) const { return width(s) + number_of_rows_below(s); }
   int parent(int s) const { return m_parents[s]; } // -1 at roots
   // Of the rows below the supernode, their places in its parent, whose own columns come first.
-  const int* rows_in_parent(int s) const { return m_rows_in_parent.data() + m_supernodes[s].first_row; }
+  const int* rows_in_parent(int s) const
+  { return m_rows_in_parent.data() + std::size_t(m_node_size) * m_supernodes[s].first_row; }
 
-  // Calls `f(row, entry)` for the entries of the matrix in a column: where they are in the supernode, and their
-  // numbers in the matrix.
+  // Calls `f(row, column, entry)` for the entries of the matrix in the columns of a supernode: where they are in it,
+  // and their numbers in the matrix.
   template <typename Function>
-  void for_each_entry(int column, const Function& f) const
+  void for_each_entry(int s, const Function& f) const
   {
-    for(int i = m_starts[column]; i < m_starts[column + 1]; ++i)
-      f(m_rows[i], m_entries[i]);
+    const int first = m_supernodes[s].first_node, end = m_supernodes[s + 1].first_node;
+    for(int node = first; node < end; ++node)
+      for(int i = m_starts[node]; i < m_starts[node + 1]; ++i)
+      {
+        const Entry& e = m_entries[i];
+        const int row = m_node_size * e.row, column = m_node_size * (node - first);
+        f(row, column, e.first);
+        if(m_node_size == 1)
+          continue;
+        f(row + 1, column, e.second);
+        f(row + 1, column + 1, e.second + 1);
+        if(row != column)
+          f(row, column + 1, e.first + 1);
+      }
   }
 
   // About as many operations as its part of the factorization takes.
@@ -67,53 +82,92 @@ public:
 private:
   struct Supernode
   {
-    int first_column;
+    int first_node;
     int first_row; // in m_rows_below
     double zeros;  // entries that are stored, but zero
   };
 
+  // An entry, or a block of two rows and columns, below the diagonal or on it. `first` and `second` number the entries
+  // in its first row; below the diagonal, those in the second row come next to each.
+  struct Entry { int row, first, second; };
+
+  // Whether the upper triangle consists of blocks of two rows and columns.
+  static bool has_pairs(const Sparse_matrix& upper)
+  {
+    if(upper.cols() % 2 != 0)
+      return false;
+    for(int column = 0; column < upper.cols(); column += 2)
+    {
+      const int* const starts = upper.outerIndexPtr() + column;
+      const int size = starts[1] - starts[0];
+      const int *const rows = upper.innerIndexPtr() + starts[0], *const next_rows = upper.innerIndexPtr() + starts[1];
+      if(size % 2 == 0 || starts[2] - starts[1] != size + 1 || rows[size - 1] != column || next_rows[size] != column + 1
+         || !std::equal(rows, rows + size, next_rows))
+        return false;
+      for(int i = 0; i + 1 < size; i += 2)
+        if(rows[i] % 2 != 0 || rows[i + 1] != rows[i] + 1)
+          return false;
+    }
+    return true;
+  }
+
+  // The pattern of the nodes; calls `f(i)` for the entry of the matrix that is the first one of each of the pattern's.
+  template <typename Function>
+  Upper_pattern node_pattern(const Sparse_matrix& upper, const Function& f) const
+  {
+    Upper_pattern pattern;
+    pattern.starts.push_back(0);
+    for(int column = 0; column < upper.cols(); column += m_node_size)
+    {
+      for(int i = upper.outerIndexPtr()[column]; i < upper.outerIndexPtr()[column + 1]; i += m_node_size)
+        if(upper.innerIndexPtr()[i] <= column)
+        {
+          pattern.rows.push_back(upper.innerIndexPtr()[i] / m_node_size);
+          f(i);
+        }
+      pattern.starts.push_back(int(pattern.rows.size()));
+    }
+    return pattern;
+  }
+
   // The lower triangle by columns, in postorder.
   void sort_entries(const Sparse_matrix& upper)
   {
-    const int n = int(upper.cols());
-    std::vector<int> parent = elimination_tree(upper);
+    std::vector<int> first_entries;
+    const Upper_pattern pattern = node_pattern(upper, [&](int i) { first_entries.push_back(i); });
+    const int n = pattern.size();
+    const std::vector<int> parent = elimination_tree(pattern);
     m_places = postorder(parent);
     m_parents.assign(n, -1);
-    std::vector<int> columns(n);
+    std::vector<int> nodes(n);
+    m_starts.assign(n + 1, 0);
     for(int v = 0; v < n; ++v)
     {
-      columns[m_places[v]] = v;
+      nodes[m_places[v]] = v;
       if(parent[v] >= 0)
         m_parents[m_places[v]] = m_places[parent[v]];
     }
-    m_starts.assign(n + 1, 0);
-    for_each_upper_entry(upper, columns, [&](int column, int, int) { ++m_starts[column + 1]; });
+    for(int v : pattern.rows)
+      ++m_starts[m_places[v] + 1];
     for(int c = 0; c < n; ++c)
       m_starts[c + 1] += m_starts[c];
-    m_rows.resize(m_starts[n]);
     m_entries.resize(m_starts[n]);
     std::vector<int> ends(m_starts.begin(), m_starts.end() - 1);
-    for_each_upper_entry(upper, columns, [&](int column, int row, int entry)
+    // Rows come in ascending order: an entry's row is above its column in the tree, hence later in the postorder.
+    for(int row = 0; row < n; ++row)
     {
-      m_rows[ends[column]] = row;
-      m_entries[ends[column]++] = entry;
-    });
-  }
-
-  // Rows come in ascending order: an entry's row is above its column in the tree, hence later in the postorder.
-  template <typename Function>
-  void for_each_upper_entry(const Sparse_matrix& upper, const std::vector<int>& columns, const Function& f) const
-  {
-    for(int row = 0; row < int(columns.size()); ++row)
-      for(Sparse_matrix::InnerIterator it(upper, columns[row]); it; ++it)
-        if(it.index() <= columns[row])
-          f(m_places[it.index()], row, int(&it.value() - upper.valuePtr()));
+      const int node = nodes[row], column = m_node_size * node;
+      const int to_next = m_node_size == 2 ? upper.outerIndexPtr()[column + 1] - upper.outerIndexPtr()[column] : 0;
+      for(int i = pattern.starts[node]; i < pattern.starts[node + 1]; ++i)
+        m_entries[ends[m_places[pattern.rows[i]]]++] = {row, first_entries[i], first_entries[i] + to_next};
+    }
   }
 
   void find_supernodes()
   {
-    const int n = number_of_columns();
+    const int n = int(m_places.size());
     std::vector<int> marks(n, -1), first_child(n, -1), next_sibling; // supernodes by the column above them
+    std::vector<int> new_rows;
     int mark = -1;
     const auto close = [&](int end)
     {
@@ -128,7 +182,7 @@ private:
     const auto for_each_row_below = [&](int column, const auto& f)
     {
       for(int i = m_starts[column]; i < m_starts[column + 1]; ++i)
-        f(m_rows[i]);
+        f(m_entries[i].row);
       for(int s = first_child[column]; s >= 0; s = next_sibling[s])
       {
         const int last = s + 1 < int(m_supernodes.size()) ? m_supernodes[s + 1].first_row : int(m_rows_below.size());
@@ -153,10 +207,10 @@ private:
       for_each_row_below(column, [&](int row)
       {
         if(std::exchange(marks[row], mark) != mark)
-          m_new_rows.push_back(row);
+          new_rows.push_back(row);
       });
-      m_rows_below.insert(m_rows_below.end(), m_new_rows.begin(), m_new_rows.end());
-      m_new_rows.clear();
+      m_rows_below.insert(m_rows_below.end(), new_rows.begin(), new_rows.end());
+      new_rows.clear();
       std::sort(m_rows_below.begin() + first_row, m_rows_below.end());
       m_supernodes.push_back({column, first_row, 0});
     }
@@ -171,18 +225,18 @@ private:
   {
     Supernode& s = m_supernodes.back();
     const auto rows = m_rows_below.begin() + s.first_row;
-    m_rows_below.erase(rows, rows + (end - s.first_column - 1));
+    m_rows_below.erase(rows, rows + (end - s.first_node - 1));
     while(m_supernodes.size() > 1)
     {
       const Supernode latest = m_supernodes.back();
       Supernode& child = m_supernodes[m_supernodes.size() - 2];
-      const double width = latest.first_column - child.first_column, rows_below = m_rows_below.size() - latest.first_row;
-      const double rows_of_child = latest.first_row - child.first_row, total = end - child.first_column;
+      const double width = latest.first_node - child.first_node, rows_below = m_rows_below.size() - latest.first_row;
+      const double rows_of_child = latest.first_row - child.first_row, total = end - child.first_node;
       if(rows_of_child == 0 || m_rows_below[child.first_row] >= end)
         return;
       const double zeros
-        = child.zeros + latest.zeros + width * (end - latest.first_column + rows_below - rows_of_child);
-      if(zeros > bearable_share(int(total)) * (0.5 * total * (total + 1) + total * rows_below))
+        = child.zeros + latest.zeros + width * (end - latest.first_node + rows_below - rows_of_child);
+      if(zeros > bearable_share(m_node_size * int(total)) * (0.5 * total * (total + 1) + total * rows_below))
         return;
       m_rows_below.erase(m_rows_below.begin() + child.first_row, m_rows_below.begin() + latest.first_row);
       child.zeros = zeros;
@@ -198,9 +252,9 @@ private:
 
   void find_parents()
   {
-    std::vector<int> supernodes(number_of_columns());
+    std::vector<int> supernodes(m_places.size());
     for(int s = 0; s < size(); ++s)
-      std::fill(supernodes.begin() + first_column(s), supernodes.begin() + first_column(s + 1), s);
+      std::fill(supernodes.begin() + m_supernodes[s].first_node, supernodes.begin() + m_supernodes[s + 1].first_node, s);
     m_parents.assign(size(), -1);
     for(int s = 0; s < size(); ++s)
       if(number_of_rows_below(s) > 0)
@@ -210,40 +264,45 @@ private:
   // Replaces rows by where they are in the supernodes that need them.
   void locate_rows()
   {
-    m_rows_in_parent.resize(m_rows_below.size());
+    m_rows_in_parent.reserve(m_node_size * m_rows_below.size());
     for(int s = 0; s < size(); ++s)
     {
-      for(int column = first_column(s); column < first_column(s + 1); ++column)
-        locate(m_rows.begin() + m_starts[column], m_rows.begin() + m_starts[column + 1], s,
-               m_rows.begin() + m_starts[column]);
-      if(parent(s) >= 0)
-        locate(m_rows_below.begin() + m_supernodes[s].first_row, m_rows_below.begin() + m_supernodes[s + 1].first_row,
-               parent(s), m_rows_in_parent.begin() + m_supernodes[s].first_row);
+      for(int node = m_supernodes[s].first_node; node < m_supernodes[s + 1].first_node; ++node)
+      {
+        int below = m_supernodes[s].first_row;
+        for(int i = m_starts[node]; i < m_starts[node + 1]; ++i)
+          m_entries[i].row = row_in(s, m_entries[i].row, below);
+      }
+      int below = parent(s) < 0 ? 0 : m_supernodes[parent(s)].first_row;
+      for(int i = m_supernodes[s].first_row; i < m_supernodes[s + 1].first_row; ++i)
+      {
+        const int row = row_in(parent(s), m_rows_below[i], below);
+        for(int k = 0; k < m_node_size; ++k)
+          m_rows_in_parent.push_back(m_node_size * row + k);
+      }
     }
     std::vector<int>().swap(m_rows_below);
   }
 
-  using Iterator = std::vector<int>::iterator;
-  void locate(Iterator first, Iterator last, int s, Iterator result)
+  // Where a row is in a supernode; `below` goes up in its list of rows below, from row to row.
+  int row_in(int s, int row, int& below) const
   {
-    const Iterator begin = m_rows_below.begin() + m_supernodes[s].first_row;
-    Iterator below = begin;
-    for(; first != last; ++first)
-      if(*first < first_column(s + 1))
-        *result++ = *first - first_column(s);
-      else
-      {
-        while(*below < *first)
-          ++below;
-        *result++ = width(s) + int(below - begin);
-      }
+    const Supernode& supernode = m_supernodes[s];
+    const int end = m_supernodes[s + 1].first_node;
+    if(row < end)
+      return row - supernode.first_node;
+    while(m_rows_below[below] < row)
+      ++below;
+    return end - supernode.first_node + below - supernode.first_row;
   }
 
+  int m_node_size = 1;       // unknowns per node; all below is in nodes, but for m_rows_in_parent
   std::vector<int> m_places;
-  std::vector<int> m_parents; // of the columns, then of the supernodes
-  std::vector<int> m_starts, m_rows, m_entries; // of the matrix's columns
+  std::vector<int> m_parents; // of the nodes, then of the supernodes
+  std::vector<int> m_starts;  // of the entries of each column
+  std::vector<Entry> m_entries;
   std::vector<Supernode> m_supernodes; // and one past the last
-  std::vector<int> m_rows_below, m_new_rows;
+  std::vector<int> m_rows_below;
   std::vector<int> m_rows_in_parent;
 };
 

@@ -77,9 +77,9 @@ class Newton_solver
 {
 public:
   // Vertices with `is_fixed` keep their place (empty: all are free; then the first vertex is pinned,
-  // which costs nothing since the energies do not depend on translation).
-  Newton_solver(std::vector<Triangle> triangles, int number_of_vertices,
-                const Linear_solver_source& linear_solvers, std::vector<char> is_fixed = {})
+  // which costs nothing since the energies do not depend on translation). `ranks`: see `Newton_system`.
+  Newton_solver(std::vector<Triangle> triangles, int number_of_vertices, const Linear_solver_source& linear_solvers,
+                std::vector<char> is_fixed = {}, const std::vector<int>& ranks = {})
     : m_triangles(std::move(triangles)), m_execution(linear_solvers.execution()), m_solver(linear_solvers.make_solver())
   {
     if(std::find(is_fixed.begin(), is_fixed.end(), char(1)) == is_fixed.end() && !m_triangles.empty())
@@ -87,12 +87,14 @@ public:
       is_fixed.assign(number_of_vertices, 0);
       is_fixed[m_triangles.front()[0]] = 1;
     }
-    m_system = Newton_system(m_triangles, number_of_vertices, is_fixed, m_execution);
+    m_system = Newton_system(m_triangles, number_of_vertices, is_fixed, m_execution, ranks);
     if(m_system.number_of_unknowns() > 0)
       m_solver->analyze(m_system.hessian());
   }
 
   const std::vector<Triangle>& triangles() const { return m_triangles; }
+  // See `Newton_system`.
+  const std::vector<int>& positions() const { return m_system.positions(); }
 
   // `uv` holds a flip-free map and receives a better one. `weights` are the triangles' areas divided
   // by their sum, whatever the shapes' areas are: references may change, the measure does not.

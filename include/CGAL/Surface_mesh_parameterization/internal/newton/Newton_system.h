@@ -37,12 +37,13 @@ class Newton_system
 public:
   Newton_system() = default;
 
-  // Vertices with `is_fixed` have no unknowns (empty: none is fixed). O(n log n).
-  Newton_system(const std::vector<Triangle>& triangles, int number_of_vertices,
-                const std::vector<char>& is_fixed, Execution execution = Execution::SEQUENTIAL)
+  // Vertices with `is_fixed` have no unknowns (empty: none is fixed). The unknowns come in the order of the vertices'
+  // `ranks`, ties by index; if there are none, an order that keeps the factors sparse is found. O(n log n).
+  Newton_system(const std::vector<Triangle>& triangles, int number_of_vertices, const std::vector<char>& is_fixed,
+                Execution execution = Execution::SEQUENTIAL, const std::vector<int>& ranks = {})
     : m_execution(execution), m_positions(number_of_vertices, -1)
   {
-    order_unknowns(triangles, is_fixed);
+    order_unknowns(triangles, is_fixed, ranks);
     build_pattern(triangles);
     m_groups = Triangle_groups(triangles, m_positions, int(m_diagonal.size()));
   }
@@ -52,6 +53,8 @@ public:
   const Eigen::VectorXd& gradient() const { return m_gradient; }
   // The first unknown of a vertex, or a negative number for a fixed or unused one.
   int unknown(int v) const { return 2 * m_positions[v]; }
+  // The place of each vertex in the order of elimination, negative without an unknown.
+  const std::vector<int>& positions() const { return m_positions; }
 
   // Sums weight * energy over the triangles. A diagonal entry grows by the fraction `shift` of
   // itself; this fixes the gauge where the energy does not depend on scale and rotation, without
@@ -131,7 +134,8 @@ private:
       add_to_block(values + entry, m_column_sizes[p], w * m(0, 0), w * m(1, 0), w * m(0, 1), w * m(1, 1));
   }
 
-  void order_unknowns(const std::vector<Triangle>& triangles, const std::vector<char>& is_fixed)
+  void order_unknowns(const std::vector<Triangle>& triangles, const std::vector<char>& is_fixed,
+                      const std::vector<int>& ranks)
   {
     std::vector<int> compact(m_positions.size(), -1);
     std::vector<int> vertices;
@@ -143,6 +147,14 @@ private:
           vertices.push_back(v);
         }
     const int n = int(vertices.size());
+    if(!ranks.empty())
+    {
+      std::sort(vertices.begin(), vertices.end(),
+                [&](int v, int w) { return ranks[v] != ranks[w] ? ranks[v] < ranks[w] : v < w; });
+      for(int i = 0; i < n; ++i)
+        m_positions[vertices[i]] = i;
+      return;
+    }
     std::vector<std::array<int, 2> > pairs;
     pairs.reserve(6 * triangles.size() + n);
     for(int i = 0; i < n; ++i)
