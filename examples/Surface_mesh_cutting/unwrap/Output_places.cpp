@@ -2,6 +2,7 @@
 
 #include "json_report.h"
 #include "outcome.h"
+#include "read_gltf.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -37,7 +38,7 @@ std::vector<Named_output> find_places(const Options& options, Output_places& pla
   if(!options.json.empty())
     outputs.push_back({options.json, find_place_of_report(options.json), &places.report});
   add(options.output, places.mesh);
-  if(!options.texture.empty())
+  if(!options.texture.empty() && !is_glb(options.output)) // which holds its material
     add(fs::path(options.output).replace_extension(".mtl").string(), places.material);
   add(options.texture, places.texture);
   add(options.svg, places.picture);

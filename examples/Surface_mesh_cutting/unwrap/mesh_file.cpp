@@ -3,6 +3,7 @@
 #include "Text_scanner.h"
 #include "file_bytes.h"
 #include "outcome.h"
+#include "read_gltf.h"
 #include "read_with_cgal.h"
 
 #include <algorithm>
@@ -33,6 +34,15 @@ Reader find_reader_by_content(std::string_view bytes)
        : starts_text_stl(bytes) ? read_stl : nullptr;
 }
 
+Polygon_soup read_soup(const std::string& path, Attributes attributes)
+{
+  const std::string bytes = read_bytes(path);
+  Reader read = find_reader_by_extension(path);
+  if(read == nullptr)
+    read = find_reader_by_content(bytes);
+  return read != nullptr ? read(bytes, attributes) : read_with_cgal(path);
+}
+
 } // namespace
 
 void check_indices(const Polygon_soup& soup)
@@ -49,12 +59,7 @@ void check_indices(const Polygon_soup& soup)
 
 Polygon_soup read_mesh_file(const std::string& path, Attributes attributes)
 {
-  const std::string bytes = read_bytes(path);
-  Reader read = find_reader_by_extension(path);
-  if(read == nullptr)
-    read = find_reader_by_content(bytes);
-
-  const Polygon_soup soup = read != nullptr ? read(bytes, attributes) : read_with_cgal(path);
+  const Polygon_soup soup = is_gltf(path) ? read_gltf(path, attributes) : read_soup(path, attributes);
   if(soup.corners.size() > std::size_t(INT_MAX) || soup.points.size() > std::size_t(INT_MAX))
     throw Failure(Exit_code::UNREADABLE, "the mesh is too large");
   check_indices(soup);

@@ -1,7 +1,9 @@
 #include "outputs.h"
 
 #include "Output_files.h"
+#include "gltf_writer.h"
 #include "json_report.h"
+#include "read_gltf.h"
 #include "obj_writer.h"
 #include "svg_writer.h"
 #include "texture.h"
@@ -30,7 +32,10 @@ std::string material_file_name(const Output_places& places, const Options& optio
 void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome)
 {
   Output_files files;
-  files.add(*places.mesh, to_obj(layout, material_file_name(places, options)));
+  if(is_glb(options.output))
+    files.add(*places.mesh, to_glb(layout, places.texture ? checkerboard_png() : ""));
+  else
+    files.add(*places.mesh, to_obj(layout, material_file_name(places, options)));
   if(places.picture)
     files.add(*places.picture, to_svg(layout, outcome));
   if(places.cut)
