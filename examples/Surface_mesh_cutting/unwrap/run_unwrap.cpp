@@ -4,6 +4,7 @@
 #include "Progress_bar.h"
 #include "Stop_visitor.h"
 #include "make_layout.h"
+#include "pack.h"
 #include "stop_request.h"
 
 #include <CGAL/Default.h>
@@ -193,7 +194,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .random_seed(options.seed)
       .effort(effort_of(options.effort))
       .use_published_method(options.is_faithful)
-      .do_bijective(options.is_bijective)
+      .do_bijective(is_injective(options))
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
       .maximum_average_distortion(options.maximum_average_distortion.value_or(std::numeric_limits<double>::infinity()))
       .minimum_distortion_decrease(options.eps_iso.value_or(0.01))
@@ -261,14 +262,16 @@ Layout run_unwrap(const Polygon_soup& soup, const Options& options, Outcome& out
   if(!outcome.has_result)
     return {};
 
+  std::vector<double> distortions(mesh.num_faces()); // at the surface's scale
+  SMP::compute_symmetric_Dirichlet_energy(
+    mesh, uvs, boost::make_iterator_property_map(distortions.begin(), get(boost::face_index, mesh)));
+  pack(mesh, is_cut, uvs, options, outcome);
   Layout layout = make_layout(mesh, is_cut, uvs, soup);
   for(const Vertex v : result.feature_points)
     layout.feature_points.push_back(int(v));
   std::sort(layout.feature_points.begin(), layout.feature_points.end());
-  layout.distortions.resize(mesh.num_faces());
-  SMP::compute_symmetric_Dirichlet_energy(
-    mesh, uvs, boost::make_iterator_property_map(layout.distortions.begin(),
-                                                 get(boost::face_index, mesh)));
+  layout.uv_scale = outcome.uv_scale.value_or(1);
+  layout.distortions = std::move(distortions);
   layout.bounding_box_diagonal = result.bounding_box_diagonal;
   return layout;
 }
