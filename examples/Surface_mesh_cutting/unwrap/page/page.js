@@ -105,14 +105,14 @@ function showMeasures() {
     E_max: 'Largest energy', flips: 'Flips', overlaps: 'Overlaps', charts: 'Charts', uv_scale: 'Scale of the UVs', fill: 'Fill of the square',
     effort: 'Effort', solver: 'Linear solver', seed: 'Seed', threads: 'Threads', peak_memory_mb: 'Memory in megabytes'};
   const add = (label, make) => {
-    const row = append(element('measures'), 'tr');
-    append(row, 'th', label, {scope: 'row'});
+    const row = append(element('measures'), 'div');
+    append(row, 'dt', label);
     make(row);
   };
   for (const key in names)
     if (report[key] !== null && report[key] !== undefined)
-      add(names[key], row => show(row, 'td', key, typeof report[key] === 'boolean' ? (report[key] ? 'yes' : 'no') : digits(report[key], 6)));
-  add('Seconds in all', row => append(row, 'td', digits(report.seconds.total), {'data-key': 'seconds.total', 'data-value': JSON.stringify(report.seconds.total)}));
+      add(names[key], row => show(row, 'dd', key, typeof report[key] === 'boolean' ? (report[key] ? 'yes' : 'no') : digits(report[key], 6)));
+  add('Seconds in all', row => append(row, 'dd', digits(report.seconds.total), {'data-key': 'seconds.total', 'data-value': JSON.stringify(report.seconds.total)}));
 }
 
 function svg(parent, name, attributes, text) {
@@ -166,8 +166,9 @@ function showTradeOffs() {
 
 // ---- colors
 
-// Cividis (Nuñez, Anderton, Renslow 2018): read alike with and without color vision deficiency. Light is good.
-const ramp = [[254, 232, 56], [219, 197, 94], [185, 172, 112], [149, 143, 120], [121, 122, 119], [94, 99, 110], [64, 76, 107], [18, 53, 112], [0, 34, 78]];
+// From cream over yellow to blue, darker at each step, after cividis (Nuñez, Anderton, Renslow 2018): read alike with and
+// without color vision deficiency. Light is good.
+const ramp = [[251, 247, 233], [243, 228, 176], [226, 203, 106], [181, 167, 112], [138, 135, 120], [98, 103, 114], [64, 78, 112], [20, 54, 114], [0, 32, 76]];
 // Of the logarithm of the stretch s for which a map with singular values s and 1/s has this energy; 1 is s = 4.
 function place(energy) {
   const a = Math.max(1, energy / 4);
@@ -277,6 +278,19 @@ void main() {
   }
   gl_FragColor = vec4(color, 1.);
 }`;
+const lineShader = `
+attribute vec3 to; attribute vec2 corner;
+uniform float halfWidth; uniform vec2 size;
+void main() {
+  vec4 a = projectionMatrix * modelViewMatrix * vec4(position, 1.), b = projectionMatrix * modelViewMatrix * vec4(to, 1.);
+  vec2 along = (b.xy / b.w - a.xy / a.w) * size;
+  along = length(along) > 0. ? normalize(along) : vec2(1., 0.);
+  vec4 end = corner.x > .5 ? b : a;
+  vec2 outward = vec2(-along.y, along.x) * corner.y + along * (2. * corner.x - 1.) * .5;
+  end.xy += outward * halfWidth * 2. / size * end.w;
+  end.z -= 1e-4 * end.w;
+  gl_Position = end;
+}`;
 const pickShader = 'varying vec4 label; void main() { gl_FragColor = label; }';
 
 // ---- a view: a canvas with a camera, the triangles, and what lies on them
@@ -355,8 +369,28 @@ class View {
     return new THREE.CanvasTexture(canvas);
   }
 
+  // WebGL draws lines one pixel wide only: each is a rectangle of constant width on the screen.
   addLines(pairs) {
-    this.cut = new THREE.LineSegments(lineGeometry(this.positions, pairs), new THREE.LineBasicMaterial());
+    const number = pairs.length / 2, ends = gathered(this.positions, 3, pairs);
+    const from = new Float32Array(12 * number), to = new Float32Array(12 * number), corner = new Float32Array(8 * number);
+    const index = new Uint32Array(6 * number);
+    for (let i = 0; i < number; ++i) {
+      for (let k = 0; k < 4; ++k) {
+        from.set(ends.subarray(6 * i, 6 * i + 3), 12 * i + 3 * k);
+        to.set(ends.subarray(6 * i + 3, 6 * i + 6), 12 * i + 3 * k);
+        corner.set([k < 2 ? 0 : 1, k % 2 ? 1 : -1], 8 * i + 2 * k);
+      }
+      index.set([0, 1, 2, 2, 1, 3].map(k => 4 * i + k), 6 * i);
+    }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(from, 3));
+    geometry.setAttribute('to', new THREE.BufferAttribute(to, 3));
+    geometry.setAttribute('corner', new THREE.BufferAttribute(corner, 2));
+    geometry.setIndex(new THREE.BufferAttribute(index, 1));
+    this.lineUniforms = {color: {value: new THREE.Color()}, halfWidth: {value: 1.4}, size: {value: new THREE.Vector2(1, 1)}};
+    this.cut = new THREE.Mesh(geometry, new THREE.ShaderMaterial({vertexShader: lineShader, side: THREE.DoubleSide, uniforms: this.lineUniforms,
+      fragmentShader: 'uniform vec3 color; void main() { gl_FragColor = vec4(color, 1.); }'}));
+    this.cut.frustumCulled = false;
     this.cut.renderOrder = 2;
     this.scene.add(this.cut);
   }
@@ -373,7 +407,7 @@ class View {
   // Colors follow the scheme of the page.
   recolor() {
     if (this.cut)
-      this.cut.material.color = variable('--cut');
+      this.lineUniforms.color.value = variable('--cut');
     for (const object of this.points || []) {
       object.material.map = dot(object.isRound);
       object.material.needsUpdate = true;
@@ -385,6 +419,8 @@ class View {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.aspect = width / Math.max(1, height);
+    if (this.cut)
+      this.lineUniforms.size.value.set(width, height);
   }
 
   draw() {
