@@ -12,7 +12,7 @@ out=$root/build/demo/$name
 mkdir -p "$root/build/demo"
 
 status=0
-"$root/build/bin/unwrap" "$mesh" -o "$out.uv.obj" --json "$out.json" --svg "$out.svg" || status=$?
+"$root/build/bin/unwrap" "$mesh" -o "$out.uv.obj" --json "$out.json" --svg "$out.svg" --html "$out.html" || status=$?
 if [ "$status" -ne 0 ] && [ "$status" -ne 7 ]; then # 7: valid, but a bound was not reached
   exit "$status"
 fi
@@ -22,5 +22,6 @@ cat << END
 mesh with texture coordinates   $out.uv.obj
 picture of the layout           $out.svg
 measures                        $out.json
+page to look at, in a browser   $out.html
 END
 exit "$status"

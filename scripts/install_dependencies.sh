@@ -11,8 +11,8 @@ wanted=()
 for purpose in "$@"; do
   case $purpose in
     build) wanted+=(g++ cmake make libcgal-dev libeigen3-dev libboost-dev
-                    libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libtinygltf-dev) ;;
-    test)  wanted+=(libopenmesh-dev python3) ;;
+                    libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libtinygltf-dev libjs-three) ;;
+    test)  wanted+=(libopenmesh-dev python3 chromium) ;;
     corpus) wanted+=(parallel python3) ;;
     cluster) wanted+=(parallel python3 slurmctld slurmd slurm-client munge openssh-client openssh-server) ;;
     evaluation) wanted+=(python3 gnuplot-nox) ;;

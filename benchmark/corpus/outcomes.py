@@ -26,7 +26,7 @@ BY_EXIT_CODE = {0: "certified", 2: "usage", 3: "refused", 4: "refused", 5: "fail
 def is_proven(report, options, has_map):
     """Whether the report of a success says that everything was proven, and there is a map."""
     return (has_map and report.get("flips") == 0
-            and ("--bijective" not in options or report.get("overlaps") == 0))
+            and ("--allow-overlap" in options or "--faithful" in options or report.get("overlaps") == 0))
 
 
 def classify(exit_code, report, options, has_map, is_timed_out):

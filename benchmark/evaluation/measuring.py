@@ -37,7 +37,8 @@ class Setting:
         # Pieces may run at the same time and must not share an output.
         name = "_".join([mesh.name, *map(str, options)]).replace("/", "_")
         return [self.programs / "unwrap", mesh, "-o", scratch / f"{name}.obj", "--json", "-", "--quiet",
-                "--threads", "1", *options]
+                "--threads", "1", "--uv-scale", "surface",
+                *([] if "--bijective" in options else ["--allow-overlap"]), *options]
 
     def detectors(self, mesh, detectors, connections):
         return [self.programs / "compare_detectors", "--detectors", detectors, "--connect", connections, mesh]

@@ -87,6 +87,7 @@ def check_cut(data):
 CHECKS = {
     "--output": check_obj,
     "--svg": lambda data: require(data.startswith(b"<svg") and data.endswith(b"</svg>\n"), "no whole picture"),
+    "--html": lambda data: require(data.startswith(b"<!doctype html>") and data.endswith(b"</html>\n"), "no whole page"),
     "--texture": lambda data: require(data.startswith(b"\x89PNG") and b"IEND" in data[-12:], "no whole texture"),
     "--obj-cut": check_cut,
     "material": lambda data: require(b"map_Kd" in data and data.endswith(b"\n"), "no whole material"),

@@ -29,7 +29,7 @@ CONSTRAINTS = ["s.txt", "s.txt", "s.txt", "wrong.txt", "far.txt", "none.txt", "w
 PLACES = [*FILES, "hard.off", "soft.off", "./cow.off", "folder/../cow.off", "dangling", "loop", "folder", "missing/x",
           "cow.off/x", "", "-", "--bogus", "x" * 300, "/dev/null", "/dev/full", "/dev/stdout", "/dev/stdin", "/dev/fd/1",
           "/dev/fd/77", "/proc/version", "a file", "locked/x", "pipe"]
-OUTPUTS = {"--output": "a.obj", "--svg": "a.svg", "--texture": "a.png", "--obj-cut": "cut.obj", "--json": "r.json"}
+OUTPUTS = {"--output": "a.obj", "--svg": "a.svg", "--html": "a.html", "--texture": "a.png", "--obj-cut": "cut.obj", "--json": "r.json"}
 WORDS = {"--must-cut": ["uv"], "--initial-cut": ["uv"],  # no files
          "--edge-weights": ["crease", "concave", "straight", "visibility", "occlusion", "sky", "sky:z", "sky:w", "colors",
                             "paint:paint.txt", "paint:weights.txt"]}
@@ -41,7 +41,7 @@ VALUES = {
     "--threads": ["1", "2", "1024"], "--solver": ["eigen"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
 }
 ODD_VALUES = ["", "nan", "inf", "-1", "4", "1e999", "4294967296", "none", "FAST", "x", "--svg", "-o", "0x10", " 1"]
-FLAGS = ["--faithful", "--bijective", "--quiet", "--quiet", "--quiet", "--no-such-option"]
+FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--no-such-option"]
 PATIENCE = 20  # seconds, of a run on such small meshes
 
 

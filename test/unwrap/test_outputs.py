@@ -13,7 +13,7 @@ import xml.etree.ElementTree
 from fractions import Fraction
 from pathlib import Path
 
-from support import Case, PROGRAM, TIME_LIMIT, main, read_obj, sphere, to_off
+from support import Case, PROGRAM, TIME_LIMIT, joined, main, read_obj, sphere, to_off
 
 SPHERE = sphere(3)
 ALL_OUTPUTS = ["--svg", "a.svg", "--texture", "a.png", "--obj-cut", "cut.obj"]
@@ -74,10 +74,10 @@ class Outputs(Case):
         report = self.successful_report("--seed", "7", "--threads", "1")
         self.assertEqual(self.files(), ["sphere.off", "sphere.uv.obj"])
         for key, value in {"vertices": len(SPHERE[0]), "faces": len(SPHERE[1]), "components": 1,
-                           "genus": 0, "borders": 0, "flips": 0, "overlaps": None, "witness": None,
+                           "genus": 0, "borders": 0, "flips": 0, "overlaps": 0, "charts": 1, "witness": None,
                            "seed": 7, "threads": 1, "effort": "default"}.items():
             self.assertEqual(report[key], value, key)
-        for key in ("cut_length", "E_iso", "E_max", "peak_memory_mb"):
+        for key in ("cut_length", "E_iso", "E_max", "uv_scale", "fill", "peak_memory_mb"):
             self.assertGreater(report[key], 0, key)
         self.assertGreater(report["seconds"]["total"], 0)
         page = Path(__file__).parents[2] / "examples/Surface_mesh_cutting/unwrap/README.md"
@@ -118,21 +118,38 @@ class Outputs(Case):
         self.assertAlmostEqual(report["cut_length"], length / diagonal, places=9)
 
     def test_measures_are_those_of_the_file(self):
-        report = self.successful_report()
-        points, uvs, faces = read_obj(self.folder / "sphere.uv.obj")
-        measures = [energy([points[v] for v, _ in face], [uvs[uv] for _, uv in face])
-                    for face in faces]
-        self.assertGreater(min(uv_area for _, _, uv_area in measures), 0)
-        mean = sum(a * e for a, e, _ in measures) / sum(a for a, _, _ in measures)
-        self.assertAlmostEqual(report["E_iso"] / mean, 1, places=9)
-        self.assertAlmostEqual(report["E_max"] / max(e for _, e, _ in measures), 1, places=9)
+        for options in ([], ["--uv-scale", "surface"], ["--allow-overlap"]):
+            report = self.successful_report(*options)
+            points, uvs, faces = read_obj(self.folder / "sphere.uv.obj")
+            if "surface" in options:
+                self.assertEqual((report["uv_scale"], report["fill"]), (1, None))
+            scaled = [[x / report["uv_scale"] for x in uv] for uv in uvs]
+            measures = [energy([points[v] for v, _ in face], [scaled[uv] for _, uv in face]) for face in faces]
+            self.assertGreater(min(uv_area for _, _, uv_area in measures), 0)
+            mean = sum(a * e for a, e, _ in measures) / sum(a for a, _, _ in measures)
+            self.assertAlmostEqual(report["E_iso"] / mean, 1, places=9)
+            self.assertAlmostEqual(report["E_max"] / max(e for _, e, _ in measures), 1, places=9)
+            if report["fill"] is not None:
+                area = sum(uv_area for _, _, uv_area in measures) * report["uv_scale"] ** 2 / 2
+                self.assertAlmostEqual(report["fill"], area, places=9)
+
+    def test_unit_square(self):
+        self.write("parts.off", to_off(joined(joined(sphere(1), sphere(2)), sphere(2))))
+        for options, margin in (([], 2 / 1024), (["--margin", "8", "--texture-size", "256"], 8 / 256), (["--margin", "0"], 0)):
+            exit_code, report = self.report("parts.off", *options)
+            self.assertEqual((exit_code, report["charts"], report["overlaps"]), (0, 3, 0))
+            uvs = read_obj(self.folder / "parts.uv.obj")[1]
+            self.assertTrue(all(margin <= x <= 1 - margin for uv in uvs for x in uv))
+        for options in (["--margin", "8", "--texture-size", "16"], ["--margin", "-1"], ["--texture-size", "0"],
+                        ["--uv-scale", "large"], ["--allow-overlap", "--bijective"]):
+            self.assert_refused(2, "parts.off", *options)
 
     def test_bijective(self):
         self.write("arms.off", to_off(with_arms(sphere(3))))
-        exit_code, plain = self.report("arms.off", "-o", "plain.obj")
+        exit_code, plain = self.report("arms.off", "-o", "plain.obj", "--allow-overlap")
         self.assertEqual((exit_code, plain["overlaps"]), (0, None))
         self.assertTrue(has_crossing(*read_obj(self.folder / "plain.obj")[1:]))
-        exit_code, report = self.report("arms.off", "--bijective")
+        exit_code, report = self.report("arms.off")
         self.assertEqual((exit_code, report["overlaps"], report["flips"]), (0, 0, 0))
         self.assertFalse(has_crossing(*read_obj(self.folder / "arms.uv.obj")[1:]))
         self.assertEqual(report["cut_length"], plain["cut_length"])
@@ -172,6 +189,16 @@ class Outputs(Case):
         y = float(re.match(r"M\S+ ([^L]+)L", bound.get("d")).group(1))
         for place, (_, e_iso) in zip(places, trade_offs):
             self.assertEqual(place >= y, e_iso <= 4.15)
+
+    def test_sides_of_the_cut(self):
+        self.successful_report("--svg", "a.svg", "--svg-style", "partners", "--obj-cut", "cut.obj")
+        root = xml.etree.ElementTree.parse(self.folder / "a.svg").getroot()
+        number = (self.folder / "cut.obj").read_text().count("\nl ")
+        sides = [node.get("d").count("M") for node in root.iter() if node.get("class") == "partners"]
+        self.assertEqual(sum(sides), 2 * number)
+        self.assertTrue(all(side % 2 == 0 for side in sides))
+        colors = [node.get("stroke") for node in root.iter() if node.get("class") == "partners"]
+        self.assertEqual(len(set(colors)), len(colors))
 
     def test_texture_in_other_folder(self):
         for folder in ("meshes", "images"):

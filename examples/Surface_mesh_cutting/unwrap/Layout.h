@@ -33,6 +33,7 @@ struct Layout
   std::vector<int> feature_points; // vertices
   std::vector<double> distortions; // per triangle: symmetric Dirichlet energy, 4 is ideal
   double bounding_box_diagonal = 0;
+  double uv_scale = 1; // UV units per unit of length
 };
 
 #endif // UNWRAP_LAYOUT_H

@@ -1,5 +1,6 @@
 #include "Output_places.h"
 
+#include "html_writer.h"
 #include "json_report.h"
 #include "outcome.h"
 #include "read_gltf.h"
@@ -42,6 +43,7 @@ std::vector<Named_output> find_places(const Options& options, Output_places& pla
     add(fs::path(options.output).replace_extension(".mtl").string(), places.material);
   add(options.texture, places.texture);
   add(options.svg, places.picture);
+  add(options.html, places.page);
   add(options.obj_cut, places.cut);
   return outputs;
 }
@@ -70,6 +72,8 @@ bool is_free_for_report(const fs::path& path)
 
 void decide_places(const Options& options, Output_places& places)
 {
+  if(!options.html.empty())
+    check_page_can_be_made();
   const std::vector<std::string> inputs = inputs_of(options);
   const std::vector<Named_output> outputs = find_places(options, places);
   for(const Named_output& output : outputs)

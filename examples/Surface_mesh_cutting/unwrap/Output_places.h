@@ -13,7 +13,7 @@
 // What is not asked for, or must not be written, has no place.
 struct Output_places
 {
-  std::optional<Output_place> mesh, material, texture, picture, cut, report;
+  std::optional<Output_place> mesh, material, texture, picture, page, cut, report;
 };
 
 // No output may replace an input or another output, and each has to be writable. Otherwise throws a

@@ -119,7 +119,7 @@ private:
   Layout m_layout;
 };
 
-// Of each triangle.
+// Of each triangle, at the scale of the surface.
 std::vector<double> distortions(const Layout& layout)
 {
   using SMP::internal::Symmetric_Dirichlet_energy;
@@ -133,7 +133,7 @@ std::vector<double> distortions(const Layout& layout)
       const std::array<double, 3>& p = layout.points[std::size_t(layout.triangles[t][k])];
       const std::array<double, 2>& uv = layout.uv_points[std::size_t(layout.uv_triangles[t][k])];
       corners.points.emplace_back(p[0], p[1], p[2]);
-      corners.uv.emplace_back(uv[0], uv[1]);
+      corners.uv.emplace_back(uv[0] / layout.uv_scale, uv[1] / layout.uv_scale);
     }
   }
   corners.normalize();
@@ -142,9 +142,10 @@ std::vector<double> distortions(const Layout& layout)
 
 } // namespace
 
-Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup)
+Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup, double uv_scale)
 {
   Layout layout = Layout_builder(surface, is_cut, uvs, soup).build();
+  layout.uv_scale = uv_scale;
   layout.distortions = distortions(layout);
   return layout;
 }

@@ -6,8 +6,8 @@
 #include "Surface.h"
 
 // The layout as it is to be written, with the vertices and polygons of `soup`, from which `surface` was
-// read. Feature points are left to the caller.
+// read. `uv_scale`: of the UVs, per unit of length. Feature points are left to the caller.
 // Throws a `Failure` if the UVs are not those of a layout cut exactly at the marked edges.
-Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup);
+Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup, double uv_scale);
 
 #endif // UNWRAP_MAKE_LAYOUT_H

@@ -31,7 +31,8 @@ faces as possible are read backward; faces with a vertex twice, and faces given 
 texture coordinates of the place where they lie. The report lists all this in "interpreted";
 --strict refuses it.
 
-Output: texture coordinates are at the scale of the surface. Corners share one unless a cut edge
+Output: texture coordinates lie in the unit square, charts apart by the margin and all at the same
+scale (uv_scale in the report), and no two triangles overlap. Corners share one unless a cut edge
 lies between them. Either all files appear, when the run is complete, or none.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
@@ -78,9 +79,13 @@ Output:
       open flat.obj in any viewer: where the squares are square, nothing is distorted
   unwrap cow.off --svg flat.svg --json -
       a picture, and the measures on the terminal
+  unwrap cow.off --html cow.html
+      a page to look at: the surface, its layout, the measures; open it in any browser
+  unwrap parts.stl --margin 4 --texture-size 2048
+      charts at least 4 texels apart on a texture of 2048 by 2048
 Method:
-  unwrap cow.off --max-distortion 4.1 --bijective
-      the shortest cut found that leaves barely visible distortion and no overlaps
+  unwrap cow.off --max-distortion 4.1
+      the shortest cut found that leaves barely visible distortion
 Constraints:
   unwrap cow.off --never-cut face.selection.txt --edge-weights visibility
       no cut across the face, and elsewhere where it is hard to see
@@ -148,6 +153,19 @@ void add_input_options(CLI::App& app, Options& options)
     ->check(CLI::IsMember({"auto", "on", "off"}))->default_str(options.weld)->group(group);
 }
 
+void add_layout_options(CLI::App& app, Options& options, const std::string& group)
+{
+  constexpr double largest_margin = 16384;
+  constexpr int largest_texture = 65536;
+  app.add_option("--uv-scale", options.uv_scale,
+                 "Texture coordinates in the unit square, or at the scale of\nthe surface with charts side by side")
+    ->check(CLI::IsMember({"unit", "surface"}))->default_str(options.uv_scale)->group(group);
+  add_number<double>(app, "--margin", options.margin, "Texels between charts and to the border of the square", 0, largest_margin)
+    ->type_name("T")->default_str("2")->group(group);
+  add_number<int>(app, "--texture-size", options.texture_size, "Texels along a side of the square", 1, largest_texture)
+    ->type_name("N")->default_str("1024")->group(group);
+}
+
 void add_output_options(CLI::App& app, Options& options)
 {
   const std::string group = "Output";
@@ -162,6 +180,11 @@ void add_output_options(CLI::App& app, Options& options)
   app.add_option("--texture", options.texture,
                  "Checkerboard image, shown by OUT.obj\n(writes OUT.mtl beside it)")
     ->type_name("FILE.png")->group(group);
+  app.add_option("--svg-style", options.svg_style, "How --svg colors: triangles by distortion, or the two\nsides of each cut alike")
+    ->check(CLI::IsMember({"distortion", "partners"}))->default_str(options.svg_style)->group(group);
+  app.add_option("--html", options.html, "Page that shows surface, layout and measures in a browser")
+    ->type_name("FILE")->group(group);
+  add_layout_options(app, options, group);
   app.add_option("--obj-cut", options.obj_cut, "The cut as lines and its feature points as points,\nin OBJ format")
     ->type_name("FILE")->group(group);
   app.add_flag("--quiet", options.is_quiet, "No progress and no summary, only errors and warnings")
@@ -181,8 +204,11 @@ void add_method_options(CLI::App& app, Options& options)
                  "auxiliary points added and exchanged\n(only added with --faithful), proven shortest, or the\nbest within a budget")
     ->check(CLI::IsMember({"mst", "sph", "greedy", "exact", "best"}))
     ->default_str("best; greedy if --faithful")->group(group);
-  app.add_flag("--bijective", options.is_bijective, "No two parts of the layout overlap")
+  app.add_flag("--allow-overlap", options.may_overlap,
+               "Parts of the layout may overlap (implied by --faithful):\nfaster, and a little less distortion")
     ->group(group);
+  app.add_flag("--bijective", options.is_bijective, "No two parts of the layout overlap: the default, but for --faithful")
+    ->excludes("--allow-overlap")->group(group);
   app.add_option_function<std::string>(
        "--max-distortion",
        [&options](const std::string& word)
@@ -302,11 +328,18 @@ std::string find_json_file(int argc, char** argv)
 // What the options mean together.
 void complete(Options& options)
 {
+  if(options.uv_scale == "unit" && !(2 * options.margin < options.texture_size))
+    refuse("--margin must be less than half of --texture-size");
   if(options.output.empty())
     options.output = std::filesystem::path(options.input).stem().string() + ".uv.obj";
 }
 
 } // namespace
+
+bool is_injective(const Options& options)
+{
+  return options.is_bijective || !(options.may_overlap || options.is_faithful);
+}
 
 Attributes wanted_attributes(const Options& options)
 {

@@ -15,7 +15,11 @@ struct Options
 {
   std::string input;
   // Files to write; an empty name stands for none, for `json` "-" is the standard output.
-  std::string output, json, svg, texture, obj_cut;
+  std::string output, json, svg, texture, obj_cut, html;
+  std::string svg_style = "distortion"; // distortion, partners
+  std::string uv_scale = "unit";        // unit, surface
+  double margin = 2;                    // texels
+  int texture_size = 1024;
   bool is_quiet = false;
 
   bool is_strict = false;      // refuses what is otherwise interpreted
@@ -24,7 +28,7 @@ struct Options
   std::string effort = "default"; // fast, default, best
   bool is_faithful = false;
   std::optional<std::string> connect; // mst, sph, greedy, exact, best
-  bool is_bijective = false;
+  bool is_bijective = false, may_overlap = false;
   std::optional<double> maximum_average_distortion;
   std::optional<double> eps_iso, eps_len, alpha, beta;
 
@@ -40,6 +44,9 @@ struct Options
 
 // Stands for the seams of the texture coordinates of the input. A file of this name is ./uv.
 inline const std::string seams_of_input = "uv";
+
+// Whether no two parts of the layout may overlap: unless they may, or the published method, whose maps may, is asked for.
+bool is_injective(const Options& options);
 
 // What the options need besides points and polygons.
 Attributes wanted_attributes(const Options& options);

@@ -67,7 +67,8 @@ struct Outcome
   std::optional<double> cut_length, cut_cost, lower_bound; // over the bounding box diagonal
   std::optional<bool> is_optimal;
   std::optional<double> average_energy, maximum_energy;
-  std::optional<int> flips, overlaps;
+  std::optional<int> flips, overlaps, charts;
+  std::optional<double> uv_scale, fill; // UV units per unit of length; of the unit square
   std::vector<std::array<double, 2> > trade_offs; // length of the cut over the diagonal, mean energy
   Phase_seconds seconds, cpu_seconds;
 

@@ -2,9 +2,10 @@
 
 #include "Output_files.h"
 #include "gltf_writer.h"
+#include "html_writer.h"
 #include "json_report.h"
-#include "read_gltf.h"
 #include "obj_writer.h"
+#include "read_gltf.h"
 #include "svg_writer.h"
 #include "texture.h"
 
@@ -31,21 +32,24 @@ std::string material_file_name(const Output_places& places, const Options& optio
 
 void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome)
 {
+  const std::string report = to_json(outcome); // once, as what it says of memory changes
   Output_files files;
   if(is_glb(options.output))
     files.add(*places.mesh, to_glb(layout, places.texture ? checkerboard_png() : ""));
   else
     files.add(*places.mesh, to_obj(layout, material_file_name(places, options)));
   if(places.picture)
-    files.add(*places.picture, to_svg(layout, outcome));
+    files.add(*places.picture, to_svg(layout, outcome, options.svg_style));
   if(places.cut)
     files.add(*places.cut, cut_to_obj(layout));
   if(places.texture)
     files.add(*places.texture, checkerboard_png());
   if(places.material)
     files.add(*places.material, to_mtl(layout, image_from_material(options)));
+  if(places.page)
+    files.add(*places.page, to_html(layout, report, options));
   if(places.report)
-    files.add(*places.report, to_json(outcome));
+    files.add(*places.report, report);
   files.publish();
 }
 

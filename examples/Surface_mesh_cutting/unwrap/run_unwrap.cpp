@@ -4,6 +4,7 @@
 #include "Progress_bar.h"
 #include "Stop_visitor.h"
 #include "make_layout.h"
+#include "pack.h"
 #include "stop_request.h"
 
 #include <CGAL/Default.h>
@@ -183,7 +184,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .random_seed(options.seed)
       .effort(effort_of(options.effort))
       .use_published_method(options.is_faithful)
-      .do_bijective(options.is_bijective)
+      .do_bijective(is_injective(options))
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
       .maximum_average_distortion(options.maximum_average_distortion.value_or(std::numeric_limits<double>::infinity()))
       .minimum_distortion_decrease(options.eps_iso.value_or(0.01))
@@ -251,7 +252,8 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   if(!outcome.has_result)
     return {};
 
-  Layout layout = make_layout(surface, is_cut, uvs, soup);
+  pack(mesh, is_cut, uvs, options, outcome);
+  Layout layout = make_layout(surface, is_cut, uvs, soup, outcome.uv_scale.value_or(1));
   std::vector<int>& features = layout.feature_points;
   for(const Vertex v : result.feature_points)
     features.push_back(surface.vertices[v]);

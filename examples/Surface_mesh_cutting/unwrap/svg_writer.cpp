@@ -2,7 +2,9 @@
 
 #include "Number_writer.h"
 #include "Trade_off_plot.h"
+#include "base64.h"
 #include "distortion_image.h"
+#include "partner_picture.h"
 #include "svg_elements.h"
 
 #include <algorithm>
@@ -53,21 +55,6 @@ private:
   Point m_low, m_size;
   double m_scale;
 };
-
-std::string to_base64(const std::string& bytes)
-{
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for(std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    unsigned int group = 0; // of three bytes
-    for(std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for(std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
 
 void draw_triangles(const Layout& layout, const View& view, Number_writer& out)
 {
@@ -171,7 +158,7 @@ void draw_legend(const Outcome& outcome, double top, double width, Number_writer
 
 } // namespace
 
-std::string to_svg(const Layout& layout, const Outcome& outcome)
+std::string to_svg(const Layout& layout, const Outcome& outcome, const std::string& style)
 {
   const View view(layout);
   const Trade_off_plot plot(outcome);
@@ -182,11 +169,17 @@ std::string to_svg(const Layout& layout, const Outcome& outcome)
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << Coarse{width} << " "
       << Coarse{plot_top + (plot.is_empty() ? 0 : Trade_off_plot::height)} << "\">\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-  draw_triangles(layout, view, out);
-  draw_edges(layout, view, out);
-  draw_borders(layout, view, out);
+  if(style == "partners")
+    draw_partners(layout, view, out);
+  else
+  {
+    draw_triangles(layout, view, out);
+    draw_edges(layout, view, out);
+    draw_borders(layout, view, out);
+  }
   draw_feature_points(layout, view, out);
-  draw_legend(outcome, legend_top, legend_width, out);
+  if(style != "partners")
+    draw_legend(outcome, legend_top, legend_width, out);
   if(!plot.is_empty())
     plot.draw(margin, plot_top, legend_width, out);
   out << "</svg>\n";

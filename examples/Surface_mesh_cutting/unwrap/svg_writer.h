@@ -2,6 +2,7 @@
 #define UNWRAP_SVG_WRITER_H
 
 #include "Layout.h"
+#include "options.h"
 #include "outcome.h"
 
 #include <string>
@@ -9,6 +10,6 @@
 // A picture of the layout: triangles colored by distortion, chart borders, feature points; and a plot
 // of the trade-off between length and distortion.
 // The triangles come as an image, so that the size of the file is bounded for any mesh.
-std::string to_svg(const Layout& layout, const Outcome& outcome);
+std::string to_svg(const Layout& layout, const Outcome& outcome, const std::string& style);
 
 #endif // UNWRAP_SVG_WRITER_H

@@ -21,8 +21,8 @@ std::string checkerboard_png()
 
 std::string to_mtl(const Layout& layout, const std::string& image)
 {
-  // The texture coordinates have the scale of the surface: show the image five times along it.
-  const double scale = 5 / layout.bounding_box_diagonal;
+  // Show the image five times along the surface.
+  const double scale = 5 / (layout.bounding_box_diagonal * layout.uv_scale);
   Number_writer out;
   out << "newmtl " << material_name << "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nmap_Kd -s " << scale << " "
       << scale << " 1 " << image << "\n";

@@ -44,6 +44,8 @@ CGAL_add_named_parameter(smallest_convex_factor_t, smallest_convex_factor, small
 CGAL_add_named_parameter(up_direction_t, up_direction, up_direction)
 CGAL_add_named_parameter(use_uniform_directions_t, use_uniform_directions, use_uniform_directions)
 CGAL_add_named_parameter(occlusion_radius_t, occlusion_radius, occlusion_radius)
+CGAL_add_named_parameter(margin_t, margin, margin)
+CGAL_add_named_parameter(texture_size_t, texture_size, texture_size)
 
 // Names that CGAL itself has only since a later version
 #if CGAL_VERSION_NR < 1060100000

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Indexed_packing.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
@@ -70,6 +71,18 @@ Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints 
 // Whether a chart consists of disks, and a map given by its corners is proven to be valid.
 CGAL_SURFACE_MESH_CUTTING_INLINE
 Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective);
+
+// Moves the parts of a chart into the unit square. `round`: what becomes of a UV when it is handed out and read back.
+template <typename ConcurrencyTag>
+Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
+                                    const Packing_parameters& parameters,
+                                    const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
+                                    const Go_further& go_further);
+
+// Whether the parts of a flat chart lie in the unit square and apart.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+Indexed_status certify_indexed_packing(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
+                                       const Packing_parameters& parameters);
 
 // The visibility of each edge, unless `control` ends the run. O(n k log n) for k rays on most surfaces.
 template <typename ConcurrencyTag>

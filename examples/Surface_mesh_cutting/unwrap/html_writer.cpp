@@ -1,0 +1,121 @@
+#include "html_writer.h"
+
+#include "base64.h"
+#include "file_bytes.h"
+#include "outcome.h"
+#include "page_parts.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#ifndef UNWRAP_THREE_JS
+#define UNWRAP_THREE_JS ""
+#endif
+
+namespace {
+
+constexpr const char* three_js = UNWRAP_THREE_JS;
+
+template <typename Number, typename Rows>
+std::string to_buffer(const char* id, const Rows& rows)
+{
+  std::vector<Number> numbers;
+  for(const auto& row : rows)
+    for(const auto number : row)
+      numbers.push_back(Number(number));
+  const std::string_view bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+  return std::string("<script type=\"text/plain\" id=\"") + id + "\">" + to_base64(bytes) + "</script>\n";
+}
+
+template <typename Number, typename Value>
+std::string to_column(const char* id, const std::vector<Value>& values)
+{
+  std::vector<std::array<Value, 1> > rows;
+  for(const Value value : values)
+    rows.push_back({{value}});
+  return to_buffer<Number>(id, rows);
+}
+
+// Coordinates of type `float` suffice around the middle of the surface.
+std::vector<std::array<double, 3> > centered(std::vector<std::array<double, 3> > points)
+{
+  if(points.empty())
+    return points;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    double low = points[0][i], high = low;
+    for(const auto& p : points)
+    {
+      low = (std::min)(low, p[i]);
+      high = (std::max)(high, p[i]);
+    }
+    for(auto& p : points)
+      p[i] -= 0.5 * low + 0.5 * high;
+  }
+  return points;
+}
+
+std::string to_buffers(const Layout& layout)
+{
+  std::vector<std::array<double, 3> > points = centered(layout.points);
+  for(auto& p : points)
+    for(double& coordinate : p)
+      coordinate /= layout.bounding_box_diagonal;
+  return to_buffer<float>("points", points) + to_buffer<float>("uvs", layout.uv_points)
+       + to_buffer<std::uint32_t>("triangles", layout.triangles)
+       + to_buffer<std::uint32_t>("uv-triangles", layout.uv_triangles) + to_column<float>("energies", layout.distortions)
+       + to_buffer<std::uint32_t>("cut", layout.cut) + to_buffer<std::uint32_t>("borders", layout.chart_borders)
+       + to_column<std::uint32_t>("features", layout.feature_points);
+}
+
+// No text within may end the element that holds it.
+std::string escaped(std::string_view json)
+{
+  std::string text;
+  for(const char c : json)
+    text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text;
+}
+
+std::string facts(const Layout& layout, const Options& options)
+{
+  const nlohmann::ordered_json facts = {{"name", std::filesystem::path(options.input).filename().string()},
+                                        {"margin", options.margin},
+                                        {"texture_size", options.texture_size},
+                                        {"diagonal", layout.bounding_box_diagonal}};
+  return facts.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+} // namespace
+
+void check_page_can_be_made()
+{
+  std::error_code error;
+  if(!std::filesystem::is_regular_file(three_js, error))
+    throw Failure(Exit_code::USAGE, "--html needs three.js, of Debian's package libjs-three, when the program is configured and when it runs");
+}
+
+std::string to_html(const Layout& layout, const std::string& report, const Options& options)
+{
+  std::string page;
+  std::string_view rest = page_html;
+  const auto insert = [&](std::string_view mark, std::string_view text)
+  {
+    const std::size_t place = rest.find(mark);
+    page.append(rest.substr(0, place)).append(text);
+    rest.remove_prefix(place + mark.size());
+  };
+  insert("{{css}}", page_css);
+  insert("{{report}}", escaped(report));
+  insert("{{facts}}", escaped(facts(layout, options)));
+  insert("{{buffers}}", to_buffers(layout));
+  insert("{{three}}", read_bytes(three_js));
+  insert("{{js}}", page_js);
+  return page.append(rest);
+}

@@ -1,0 +1,58 @@
+#include "pack.h"
+
+#include "Stop_visitor.h"
+
+#include <CGAL/Surface_mesh_cutting/pack_charts.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_cutting;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+int number_of_charts(const Mesh& mesh, Cut_map is_cut)
+{
+  std::vector<int> chart_of_face(mesh.number_of_faces());
+  return int(PMP::connected_components(
+    mesh, boost::make_iterator_property_map(chart_of_face.begin(), get(boost::face_index, mesh)),
+    CGAL::parameters::edge_is_constrained_map(is_cut)));
+}
+
+} // namespace
+
+void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, Outcome& outcome)
+{
+  if(options.uv_scale == "surface")
+  {
+    outcome.charts = number_of_charts(mesh, is_cut);
+    outcome.uv_scale = 1;
+    return;
+  }
+  Stop_visitor visitor;
+  const auto result = SMC::pack_charts<CGAL::Parallel_if_available_tag>(
+    mesh, is_cut, uvs,
+    CGAL::parameters::margin(options.margin)
+      .texture_size(options.texture_size)
+      .do_bijective(is_injective(options))
+      .visitor(std::ref(visitor)));
+  if(!result.has_result)
+  {
+    const bool is_full = result.status.code == SMC::Status_code::INFEASIBLE_CONSTRAINTS;
+    throw Failure(is_full ? Exit_code::UNSUPPORTED : Exit_code::FAILED,
+                  result.status.message + (is_full ? "; a larger --texture-size or --uv-scale surface helps" : ""));
+  }
+  if(!result && outcome.exit_code == Exit_code::DONE)
+  {
+    outcome.exit_code = Exit_code::STOPPED;
+    outcome.message = result.status.message + "; the charts could be packed better: " + outcome.message;
+  }
+  outcome.charts = result.number_of_charts;
+  outcome.uv_scale = result.scale;
+  outcome.fill = result.fill;
+}

@@ -1,0 +1,14 @@
+// Charts moved into the unit square.
+
+#ifndef UNWRAP_PACK_H
+#define UNWRAP_PACK_H
+
+#include "Mesh.h"
+#include "options.h"
+#include "outcome.h"
+
+// Packs as the options ask for, and tells the number of charts, their scale and how much of the square they fill.
+// Throws a `Failure` where that is not possible.
+void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, Outcome& outcome);
+
+#endif // UNWRAP_PACK_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_PACKING_RESULT_H
+#define CGAL_SURFACE_MESH_CUTTING_PACKING_RESULT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Status.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// what `pack_charts()` found.
+template <typename TriangleMesh>
+struct Packing_result
+{
+  /// whether the charts are packed as well as the function can, or why not.
+  Status<TriangleMesh> status;
+  /// whether the UVs are packed: also if the run was stopped and the charts could be larger.
+  bool has_result = false;
+  /// length of an edge in the unit square over its length before, the same for all edges of all charts.
+  double scale = 0;
+  /// area of the charts in the unit square, whose own is 1.
+  double fill = 0;
+  /// number of parts of the surface that are connected through edges not cut.
+  int number_of_charts = 0;
+
+  /// `true` iff everything requested was computed.
+  explicit operator bool() const { return bool(status); }
+};
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_PACKING_RESULT_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_GRID_PACKING_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_GRID_PACKING_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/packing/Free_cells.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Where a chart lies on the grid, and which of its turns it took.
+struct Grid_place
+{
+  int turn;
+  Cell cell;
+};
+
+// A way to pack: the charts one after the other, each with the turn and at the place that is lowest.
+struct Packing_strategy
+{
+  std::vector<int> order;
+  double height_share; // what is low: at 1 the top of a chart, at 0 its bottom
+};
+
+using Chart_masks = std::vector<Chart_mask>; // one for each turn of a chart
+
+template <typename ConcurrencyTag>
+std::vector<Chart_masks> chart_masks(const std::vector<Chart_outline>& outlines, const std::vector<std::vector<double> >& turns,
+                                     double factor, double margin)
+{
+  std::vector<Chart_masks> masks(outlines.size());
+  CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(outlines.size()), [&](int i)
+  {
+    masks[i].reserve(turns[i].size());
+    for(const double angle : turns[i])
+      masks[i].emplace_back(outlines[i], angle, factor, margin);
+  });
+  return masks;
+}
+
+// Fills a grid with charts. Many charts of similar size are not tried again where the ones before found no place.
+class Grid_packing
+{
+public:
+  Grid_packing(const std::vector<Chart_masks>& masks, const std::vector<Chart_outline>& outlines, int size)
+    : m_masks(masks), m_outlines(outlines), m_free(size)
+  {}
+
+  // None if a chart finds no place.
+  std::optional<std::vector<Grid_place> > pack(const Packing_strategy& strategy)
+  {
+    std::vector<Grid_place> places(m_masks.size());
+    for(const int i : strategy.order)
+    {
+      const std::optional<Grid_place> place = best_place(i, strategy.height_share);
+      if(!place)
+        return std::nullopt;
+      places[i] = *place;
+      m_free.take(m_masks[i][place->turn], place->cell);
+    }
+    return places;
+  }
+
+private:
+  static constexpr int few = 500; // charts; below, all places are tried
+
+  std::optional<Grid_place> best_place(int i, double height_share)
+  {
+    const Chart_masks& masks = m_masks[i];
+    constexpr double similar_area = 0.9;
+    if(int(m_masks.size()) < few || m_outlines[i].area < similar_area * m_area || m_begins.size() < masks.size())
+    {
+      m_area = m_outlines[i].area;
+      m_begins.assign(masks.size(), 0);
+    }
+    std::optional<Grid_place> best;
+    double lowest = std::numeric_limits<double>::infinity();
+    for(int turn = 0; turn < int(masks.size()); ++turn)
+    {
+      const double height = height_share * masks[turn].height;
+      const int end = best ? int(std::ceil(lowest - height)) : m_free.size();
+      const std::optional<Cell> cell = m_free.lowest_place(masks[turn], m_begins[turn], end);
+      if(cell)
+      {
+        best = Grid_place{turn, *cell};
+        lowest = cell->y + height;
+      }
+      m_begins[turn] = (std::max)(m_begins[turn], cell ? cell->y : end);
+    }
+    return best;
+  }
+
+  const std::vector<Chart_masks>& m_masks;
+  const std::vector<Chart_outline>& m_outlines;
+  Free_cells m_free;
+  std::vector<int> m_begins; // for each turn, the first row that is not known to be full
+  double m_area = 0;         // of the charts for which that is known
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_GRID_PACKING_H

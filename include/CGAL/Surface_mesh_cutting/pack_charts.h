@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_PACK_CHARTS_H
+#define CGAL_SURFACE_MESH_CUTTING_PACK_CHARTS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/base.h>
+
+#include <CGAL/Surface_mesh_cutting/Packing_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/read_packing_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/pack_indexed_charts.h>
+#endif
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// moves charts into the unit square, ready for a texture: turns and translates each one and scales all by the same
+/// factor, which it makes large. What counts is their outlines, not their boxes: small charts find places in the bays
+/// and holes of large ones.
+///
+/// A chart is a part of the surface that is connected through edges not cut; it need not be a disk. A single chart is
+/// turned so that the square around it is smallest.
+///
+/// The result is proven as `certify_packing()` does, with the coordinates that `halfedge_uv_map` holds; those may also
+/// be of type `float` or of an exact number type.
+///
+/// Charts are drawn on grids of up to 2048 cells along a side, in 4 to 16 turns. Let \f$ c \f$ be their number; then the
+/// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts.
+///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
+///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+/// \tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a value type that
+///         can be constructed from two numbers and has members `x()` and `y()`, such as `%Point_2` of any kernel
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tmesh the surface
+/// \param edge_is_cut_map marks the edges of the cut; marks on border edges are ignored
+/// \param halfedge_uv_map holds at each halfedge `h` that is not on the border the UV of the corner
+///        of `face(h, tmesh)` at `target(h, tmesh)`; all triangles are counterclockwise
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{margin}
+///     \cgalParamDescription{the least distance between charts and to the border of the square, in texels; at least 0 and
+///                           less than half of `texture_size`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`2`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{texture_size}
+///     \cgalParamDescription{the number of texels along a side of the square; at least 1}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`1024`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{do_bijective}
+///     \cgalParamDescription{whether no chart may overlap itself, either}
+///     \cgalParamType{Boolean}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with
+///                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+///                    `%Point_3` as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{can end the run: it is asked once a first packing is found, before each further one that is tried}
+///     \cgalParamType{a class model of `CuttingVisitor`, of which only `go_further()` is called}
+///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
+///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was found. Its `status` is one of
+/// - `Status_code::OK`;
+/// - `Status_code::NOT_CERTIFIED`, with the faces concerned, if UVs are not finite, differ where no edge is cut, or a
+///   triangle is not counterclockwise, or, with `do_bijective`, triangles overlap; or if rounding spoils the result;
+/// - `Status_code::INFEASIBLE_CONSTRAINTS` if there are so many charts that their margins leave no room;
+/// - `Status_code::WRONG_PARAMETER`;
+/// - `Status_code::STOPPED` if the visitor ended the run; the charts are packed, but could be larger;
+/// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
+///   `Status_code::INVALID_POINT` for an unsupported mesh.
+///
+/// The UVs stay unchanged unless `Packing_result::has_result`.
+///
+/// \sa `unwrap()`
+/// \sa `certify_packing()`
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeIsCutMap,
+          typename HalfedgeUVMap, typename NamedParameters = parameters::Default_named_parameters>
+Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
+                                         HalfedgeUVMap halfedge_uv_map,
+                                         const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using UV = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using Surface_mesh_parameterization::internal::scaled;
+
+  Default_visitor default_visitor;
+  internal::Visitor_reference<NamedParameters> visitor
+    = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
+    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const internal::Packing_parameters parameters = internal::read_packing_parameters(np);
+
+  Packing_result<TriangleMesh> result;
+  internal::Indexed_status status = adapter.status();
+  if(status)
+    status.finding = internal::check_parameters(parameters).finding;
+  if(status)
+  {
+    const int e = adapter.exponent(); // the adapter's UVs are those of the indexed mesh, which is smaller
+    const auto round = [&adapter, e](const Eigen::Vector2d& uv)
+    { return scaled(adapter.template rounded_uv<UV>(scaled(uv, -e)), e); };
+    const internal::Corner_table chart = internal::make_chart(adapter.mesh(), adapter.read_cut(edge_is_cut_map));
+    internal::Indexed_packing packing = internal::pack_indexed_charts<ConcurrencyTag>(
+      chart, adapter.read_uvs(halfedge_uv_map), parameters, round, control);
+    status.finding = packing.status.finding;
+    for(Eigen::Vector2d& uv : packing.uv)
+      uv = scaled(uv, -e);
+    result.has_result = packing.has_result;
+    if(result.has_result)
+      adapter.write_uvs(chart, packing.uv, halfedge_uv_map);
+    result.scale = packing.scale;
+    result.fill = packing.fill;
+    result.number_of_charts = packing.number_of_charts;
+  }
+  result.status = adapter.translate(status);
+  return result;
+}
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_PACK_CHARTS_H

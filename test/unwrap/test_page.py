@@ -1,0 +1,138 @@
+"""The page of --html in a real browser: it shows what the report says, without a message on the console.
+
+Screenshots go to the folder that the third argument names, if there is one."""
+
+import json
+import math
+import os
+import sys
+from pathlib import Path
+
+from browser import Browser, find_browser
+from support import Case, main, joined, read_obj, sphere, to_off, torus
+
+SCREENSHOTS = Path(sys.argv.pop(3)) if len(sys.argv) > 3 else None
+SIZES = {"desktop": (1400, 900, False), "phone": (390, 844, True)}  # the phone in the dark
+
+
+def parts(number):
+    mesh = sphere(1)
+    for _ in range(number - 1):
+        mesh = joined(sphere(2), mesh)
+    return mesh
+
+
+def ring(n):
+    """A torus that looks like one."""
+    points, faces = torus(n)
+    turn = 2 * math.pi / n
+    place = lambda i, j: ((3 + math.cos(turn * j)) * math.cos(turn * i), (3 + math.cos(turn * j)) * math.sin(turn * i),
+                          math.sin(turn * j))
+    return [place(i, j) for i, j, _ in points], faces
+
+
+def cow():
+    path = Path(os.environ.get("CGAL_DATA_DIR", "")) / "meshes" / "cow.off"
+    return path.read_text() if path.exists() else to_off(sphere(4))
+
+
+class Page(Case):
+    @classmethod
+    def setUpClass(cls):
+        if find_browser() is None:
+            print("no browser: skipped")
+            sys.exit(77)
+
+    def setUp(self):
+        super().setUp()
+        self.browser = Browser(self.folder / "profile")
+        self.addCleanup(self.browser.close)
+
+    def count_colors(self, canvas):
+        """Pixels of a canvas by color."""
+        return self.browser.evaluate(f"""(() => {{
+            const canvas = document.createElement('canvas'), source = document.getElementById('{canvas}');
+            canvas.width = source.width; canvas.height = source.height;
+            const context = canvas.getContext('2d');
+            context.drawImage(source, 0, 0);
+            const data = context.getImageData(0, 0, canvas.width, canvas.height).data;
+            let covered = 0, pink = 0;
+            for(let i = 0; i < data.length; i += 4) {{
+              covered += data[i + 3] > 128;
+              pink += data[i] > 200 && data[i + 1] < 120 && data[i + 2] > 100 && data[i + 3] > 128;
+            }}
+            return {{covered: covered / (data.length / 4), pink}};
+          }})()""")
+
+    def check_values(self, report):
+        shown = self.browser.evaluate("Array.from(document.querySelectorAll('[data-key]'),"
+                                      " e => [e.dataset.key, e.dataset.value])")
+        self.assertGreater(len(shown), 15)
+        for key, value in shown:
+            if key == "seconds.total":
+                self.assertEqual(json.loads(value), report["seconds"]["total"])
+            elif key == "tradeoff":
+                self.assertIn(json.loads(value), report["tradeoff"])
+            else:
+                self.assertEqual(json.loads(value), report[key], key)
+        embedded = self.browser.evaluate("document.getElementById('report').textContent")
+        self.assertEqual(json.loads(embedded), report)
+
+    def check_hover(self, name):
+        """Points at the middle of the largest triangle of the layout."""
+        _, uvs, faces = read_obj(self.folder / f"{name}.uv.obj")
+        corners = [[uvs[corner[1]] for corner in face] for face in faces]
+
+        def area(t):
+            return (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0])
+
+        wanted = max(range(len(faces)), key=lambda f: area(corners[f]))
+        u, v = (sum(corner[i] for corner in corners[wanted]) / 3 for i in (0, 1))
+        self.browser.evaluate("document.getElementById('layout').scrollIntoView({block: 'center'})")
+        self.browser.settle()
+        before = self.count_colors("layout")["pink"]
+        x, y = self.browser.evaluate(f"pixelOfUV({u!r}, {v!r})")
+        self.browser.move(x, y)
+        self.assertEqual(self.browser.evaluate("document.body.dataset.hovered"), str(wanted))
+        self.assertIn(f"Triangle {wanted:,}:", self.browser.evaluate("document.getElementById('hovered').textContent"))
+        self.assertGreater(self.count_colors("layout")["pink"], before + 5)
+        self.assertGreater(self.count_colors("surface")["pink"], 5)
+
+    def check_page(self, name, text):
+        self.write(f"{name}.off", text)
+        run = self.unwrap(f"{name}.off", "--html", f"{name}.html", "--json", f"{name}.json", "--quiet", "--effort", "fast")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = json.loads((self.folder / f"{name}.json").read_text())
+        for size, (width, height, is_dark) in SIZES.items():
+            self.browser.open(self.folder / f"{name}.html", width, height, is_dark)
+            for canvas in ("surface", "layout"):
+                self.assertGreater(self.count_colors(canvas)["covered"], 0.05, canvas)
+            self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), width)
+            self.check_values(report)
+            self.check_hover(name)
+            if SCREENSHOTS:
+                SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+                self.browser.screenshot(SCREENSHOTS / f"{name}-{size}.png")
+            self.assertEqual(self.browser.messages, [])
+        return report
+
+    def test_no_handles(self):
+        self.check_page("cow", cow())
+
+    def test_handles(self):
+        self.assertEqual(self.check_page("torus", to_off(ring(24)))["genus"], 1)
+
+    def test_many_charts(self):
+        self.assertEqual(self.check_page("parts", to_off(parts(12)))["charts"], 12)
+
+    def test_keyboard(self):
+        self.check_page("sphere", to_off(sphere(3)))
+        before = self.browser.evaluate("document.getElementById('surface').toDataURL()")
+        self.browser.evaluate("document.getElementById('surface').focus()")
+        for kind in ("keyDown", "keyUp"):
+            self.browser.call("Input.dispatchKeyEvent", type=kind, key="ArrowLeft", code="ArrowLeft", windowsVirtualKeyCode=37)
+        self.browser.settle()
+        self.assertNotEqual(self.browser.evaluate("document.getElementById('surface').toDataURL()"), before)
+
+
+main()
