@@ -238,7 +238,7 @@ void test_scales()
     for(Vertex<Surface_mesh> v : vertices(mesh))
       mesh.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
     assert(run(mesh) == SMP::OK);
-    auto uv_map = mesh.property_map<Vertex<Surface_mesh>, Point_2>("v:uv").first;
+    auto uv_map = mesh.add_property_map<Vertex<Surface_mesh>, Point_2>("v:uv").first; // which run() has added
     double extent = 0;
     for(Vertex<Surface_mesh> v : vertices(mesh))
       extent = (std::max)(extent, std::abs(get(uv_map, v).x()));
@@ -255,7 +255,7 @@ void test_components()
   CGAL::make_tetrahedron(a, b, c, Point_3(0, 0, 1), mesh);
   CGAL::make_quad(a, b, d, c, mesh);
   assert(run(mesh) == SMP::OK);
-  auto is_parameterized = mesh.property_map<Vertex<Surface_mesh>, bool>("v:done").first;
+  auto is_parameterized = mesh.add_property_map<Vertex<Surface_mesh>, bool>("v:done").first; // which run() has added
   for(Vertex<Surface_mesh> v : vertices(mesh))
     assert(get(is_parameterized, v) == (std::size_t(v) < n));
 }
