@@ -25,7 +25,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -233,33 +232,6 @@ private:
   double m_cost;
   Shortest_paths m_paths;
 };
-
-// Runs a search, and again from where perturbed costs lead: other exchanges become possible. Large surfaces, on which each
-// run takes long, have less to gain.
-inline Cut cheaper_opening(const Indexed_mesh& mesh, const Edge_constraints& constraints, const std::vector<char>& is_kept,
-                           Cut cut, const Go_further& go_further)
-{
-  constexpr int enough_runs = 4, enough_faces = 80000; // in all runs
-  constexpr double largest_change = 0.2;
-  const auto improved = [&](const Edge_constraints& costs, Cut start)
-  {
-    Opening_search search(mesh, costs, is_kept, std::move(start));
-    search.run(go_further);
-    return search.cut();
-  };
-  Cut best = improved(constraints, std::move(cut));
-  std::mt19937 random;
-  for(int i = (std::min)(enough_runs, enough_faces / (mesh.number_of_faces() + 1)); i > 0 && go_further(); --i)
-  {
-    Edge_constraints perturbed = constraints;
-    for(double& weight : perturbed.weights)
-      weight *= 1 + largest_change * double(random()) / 4294967296.;
-    Cut other = improved(constraints, improved(perturbed, best));
-    if(cut_cost(constraints, other) < cut_cost(constraints, best))
-      best = std::move(other);
-  }
-  return best;
-}
 
 } // namespace internal
 } // namespace Surface_mesh_cutting

@@ -79,8 +79,9 @@ Indexed_status open_to_disk(Problem& problem, const Context& context)
   std::vector<char> is_kept(mesh.number_of_vertices(), 0);
   for(int v : problem.terminals)
     is_kept[v] = 1;
-  problem.constraints.mandatory
-    = cheaper_opening(mesh, constraints, is_kept, std::move(connected.cut), context.control);
+  Opening_search search(mesh, constraints, std::move(is_kept), std::move(connected.cut));
+  search.run(context.control);
+  problem.constraints.mandatory = search.cut();
   problem.is_opened = true;
   return context.control.is_stopped() ? failure(context.control) : Indexed_status();
 }
