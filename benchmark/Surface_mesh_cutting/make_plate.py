@@ -49,6 +49,13 @@ def plate(rows, columns, segments, radius, thickness):
     return points, triangles
 
 
+def write_off(file, points, triangles):
+    with open(file, "w", encoding="ascii") as out:
+        out.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
+        out.writelines("%.17g %.17g %.17g\n" % p for p in points)
+        out.writelines("3 %d %d %d\n" % t for t in triangles)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out")
@@ -58,11 +65,7 @@ def main():
     parser.add_argument("--radius", type=float, default=0.3)
     parser.add_argument("--thickness", type=float, default=0.25)
     options = parser.parse_args()
-    points, triangles = plate(options.rows, options.columns, options.segments, options.radius, options.thickness)
-    with open(options.out, "w", encoding="ascii") as out:
-        out.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
-        out.writelines("%.17g %.17g %.17g\n" % p for p in points)
-        out.writelines("3 %d %d %d\n" % t for t in triangles)
+    write_off(options.out, *plate(options.rows, options.columns, options.segments, options.radius, options.thickness))
 
 
 if __name__ == "__main__":

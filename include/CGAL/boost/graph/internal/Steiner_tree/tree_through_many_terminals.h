@@ -37,11 +37,11 @@ inline int number_of_perturbations(const Csr_graph& graph, std::size_t maximum_n
 inline Tree tree_through_many_terminals(const Csr_graph& graph, const std::vector<int>& terminals,
                                         std::size_t maximum_number_of_states, const Go_further& go_further)
 {
+  constexpr double tolerance = 1e-10; // larger than rounding errors
   std::vector<int> best;
   double length = Shortest_paths::infinity();
   Tree tree;
   const auto improve = [&](const std::vector<int>& auxiliary_points) {
-    constexpr double tolerance = 1e-10; // larger than rounding errors
     Near_points points(graph, terminals, auxiliary_points);
     points.improve(tolerance * points.length(), go_further);
     if(!(points.length() < length))
@@ -57,7 +57,7 @@ inline Tree tree_through_many_terminals(const Csr_graph& graph, const std::vecto
   for(int i = 0; i < rounds && go_further(); ++i) {
     const Csr_graph other = perturbed(graph, (unsigned int)i);
     Near_points points(other, terminals, best);
-    points.improve(1e-10 * points.length(), go_further);
+    points.improve(tolerance * points.length(), go_further);
     improve(points.auxiliary_points());
   }
   return tree;
