@@ -64,7 +64,8 @@ private:
   std::atomic<bool> m_is_given_up{false};
 };
 
-// Subtracts a b^T from the lower trapezoid c, where b are the upper rows of a, which has few columns: Eigen's product takes blocks apart first, which pays for large ones only.
+// Subtracts a b^T from the lower trapezoid c, where b are the upper rows of a, which has few columns: Eigen's
+// product takes blocks apart first, which pays for large ones only.
 inline void subtract_thin_product(const Dense_block& a, Dense_block& c)
 {
   const int depth = int(a.cols()), rows = int(c.rows());
@@ -81,8 +82,7 @@ inline void subtract_thin_product(const Dense_block& a, Dense_block& c)
   }
 }
 
-// Subtracts a b^T from the lower trapezoid c, where b are the upper rows of a. Tiles are the same for any number
-// of threads.
+// The same for any number of columns. Tiles do not depend on the number of threads.
 inline void subtract_product(Execution execution, const Dense_block& a, Dense_block& c)
 {
   constexpr int thin = 12, tile_width = 96, tile_height = 480;
