@@ -186,6 +186,7 @@ public:
     }
     take_energy(result);
     m_state.precision = m_policy.precision;
+    m_solver.pointer.reset(); // the next map is another one
   }
 
   // Opens the slit in any case.

@@ -48,7 +48,8 @@ public:
     m_first_child.assign(n, -1);
     m_next_sibling.assign(n, -1);
     m_starts.assign(n + 1, 0);
-    m_starts_below.assign(n + 1, 0);
+    m_starts_of_rows.assign(n + 1, 0);
+    std::vector<int> rows_of_columns(m_supernodes.number_of_columns());
     for(int s = n - 1; s >= 0; --s) // lists in ascending order
     {
       parents[s] = m_supernodes.parent(s);
@@ -61,9 +62,14 @@ public:
     }
     for(int s = 0; s < n; ++s)
     {
-      m_starts_below[s + 1] = m_starts_below[s] + std::size_t(m_supernodes.number_of_rows_below(s));
+      m_starts_of_rows[s + 1] = m_starts_of_rows[s] + m_supernodes.height(s);
+      for(int j = 0; j < m_supernodes.width(s); ++j)
+        rows_of_columns[m_supernodes.first_column(s) + j] = m_starts_of_rows[s] + j;
       m_starts[s + 1] = m_starts[s] + std::size_t(m_supernodes.height(s)) * m_supernodes.width(s);
     }
+    m_rows.resize(rows_of_columns.size());
+    for(int i = 0; i < int(m_rows.size()); ++i)
+      m_rows[i] = rows_of_columns[m_supernodes.place(i)];
     m_schedule = Tree_schedule(parents, work);
     m_values.reset();
     m_rests.clear();
@@ -91,14 +97,13 @@ public:
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const
   {
     const int n = m_supernodes.number_of_columns();
-    Eigen::VectorXd x(n), result(n);
+    Eigen::VectorXd fronts(m_starts_of_rows.back()), result(n); // parts of vectors, at the rows of each supernode
     for(int i = 0; i < n; ++i)
-      x[m_supernodes.place(i)] = right[i];
-    Eigen::VectorXd below(m_starts_below.back()); // of x, at the rows below each supernode
-    m_schedule.ascend(m_execution, [&](int s) { solve_forward(s, x, below); });
-    m_schedule.descend(m_execution, [&](int s) { solve_backward(s, x, below); });
+      fronts[m_rows[i]] = right[i];
+    m_schedule.ascend(m_execution, [&](int s) { solve_forward(s, fronts); });
+    m_schedule.descend(m_execution, [&](int s) { solve_backward(s, fronts); });
     for(int i = 0; i < n; ++i)
-      result[i] = x[m_supernodes.place(i)];
+      result[i] = fronts[m_rows[i]];
     return result;
   }
 
@@ -156,60 +161,63 @@ private:
     }
   }
 
-  // The part of a vector over the rows below all supernodes that belongs to one.
-  Eigen::VectorBlock<Eigen::VectorXd> rows_below(Eigen::VectorXd& below, int s) const
-  {
-    return below.segment(m_starts_below[s], m_supernodes.number_of_rows_below(s));
-  }
+  double* front(Eigen::VectorXd& fronts, int s) const { return fronts.data() + m_starts_of_rows[s]; }
 
-  // Children hand on what they subtract from the right side, as with the matrix.
-  void solve_forward(int s, Eigen::VectorXd& x, Eigen::VectorXd& below) const
+  // Children hand on what they subtract from the right side, as with the matrix. Columns come in pairs, as most
+  // unknowns do: the rows are passed over half as often.
+  void solve_forward(int s, Eigen::VectorXd& fronts) const
   {
     const Dense_block own = columns(s);
-    const int width = int(own.cols());
-    auto solution = x.segment(m_supernodes.first_column(s), width);
-    auto rest = rows_below(below, s);
-    rest.setZero();
+    const int width = int(own.cols()), height = int(own.rows());
+    Eigen::Map<Eigen::VectorXd> x(front(fronts, s), height);
+    x.tail(height - width).setZero();
     for(int child = m_first_child[s]; child >= 0; child = m_next_sibling[child])
     {
       const int* const rows = m_supernodes.rows_in_parent(child);
-      const auto added = rows_below(below, child);
-      for(int i = 0; i < int(added.size()); ++i)
-        (rows[i] < width ? solution[rows[i]] : rest[rows[i] - width]) += added[i];
+      const double* const added = front(fronts, child) + m_supernodes.width(child);
+      for(int i = 0; i < m_supernodes.number_of_rows_below(child); ++i)
+        x[rows[i]] += added[i];
     }
-    for(int j = 0; j < width; ++j)
+    int j = 0;
+    for(; j + 2 <= width; j += 2)
     {
-      const double value = solution[j] /= own(j, j);
-      solution.tail(width - j - 1) -= value * own.col(j).segment(j + 1, width - j - 1);
+      const int rest = height - j - 2;
+      const double first = x[j] /= own(j, j), second = x[j + 1] = (x[j + 1] - own(j + 1, j) * first) / own(j + 1, j + 1);
+      x.tail(rest) -= first * own.col(j).tail(rest) + second * own.col(j + 1).tail(rest);
     }
-    rest.noalias() -= own.bottomRows(rest.size()) * solution;
+    if(j < width)
+    {
+      const double last = x[j] /= own(j, j);
+      x.tail(height - j - 1) -= last * own.col(j).tail(height - j - 1);
+    }
   }
 
-  void solve_backward(int s, Eigen::VectorXd& x, Eigen::VectorXd& below) const
+  void solve_backward(int s, Eigen::VectorXd& fronts) const
   {
     const Dense_block own = columns(s);
-    const int width = int(own.cols()), parent = m_supernodes.parent(s);
-    auto rest = rows_below(below, s);
-    if(parent >= 0)
+    const int width = int(own.cols()), height = int(own.rows());
+    Eigen::Map<Eigen::VectorXd> x(front(fronts, s), height);
+    if(m_supernodes.parent(s) >= 0)
     {
       const int* const rows = m_supernodes.rows_in_parent(s);
-      const int parent_width = m_supernodes.width(parent);
-      const auto above = x.segment(m_supernodes.first_column(parent), parent_width);
-      const auto rest_above = rows_below(below, parent);
-      for(int i = 0; i < int(rest.size()); ++i)
-        rest[i] = rows[i] < parent_width ? above[rows[i]] : rest_above[rows[i] - parent_width];
+      const double* const above = front(fronts, m_supernodes.parent(s));
+      for(int i = 0; i < height - width; ++i)
+        x[width + i] = above[rows[i]];
     }
-    auto solution = x.segment(m_supernodes.first_column(s), width);
-    solution.noalias() -= own.bottomRows(rest.size()).transpose() * rest;
     for(int j = width - 1; j >= 0; --j)
-      solution[j] = (solution[j] - own.col(j).segment(j + 1, width - j - 1).dot(solution.tail(width - j - 1))) / own(j, j);
+    {
+      const int rest = height - j - 1;
+      x[j] = (x[j] - own.col(j).tail(rest).dot(x.tail(rest))) / own(j, j);
+    }
   }
 
   Execution m_execution;
   Supernodes m_supernodes;
   Tree_schedule m_schedule;
   std::vector<int> m_first_child, m_next_sibling;
-  std::vector<std::size_t> m_starts, m_starts_below; // of the columns of each supernode, and of the rows below them
+  std::vector<std::size_t> m_starts; // of the columns of each supernode
+  std::vector<int> m_starts_of_rows; // of each supernode, where those of all are in one vector
+  std::vector<int> m_rows;           // of each unknown, among these
   std::unique_ptr<double[]> m_values;
   std::vector<std::unique_ptr<double[]> > m_rests;
 };

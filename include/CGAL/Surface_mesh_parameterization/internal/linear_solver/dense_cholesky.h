@@ -64,32 +64,32 @@ private:
   std::atomic<bool> m_is_given_up{false};
 };
 
-// c -= a b^T for few columns of a: Eigen's product takes blocks apart first, which pays for large ones only.
-inline void subtract_thin_product(const Dense_block& a, const Dense_block& b, Dense_block& c, int first_row_step)
+// Subtracts a b^T from the lower trapezoid c, where b are the upper rows of a, which has few columns: Eigen's
+// product takes blocks apart first, which pays for large ones only.
+inline void subtract_thin_product(const Dense_block& a, Dense_block& c)
 {
   const int depth = int(a.cols()), rows = int(c.rows());
   for(int j = 0; j < c.cols(); ++j)
   {
-    const int first = first_row_step * j, count = rows - first;
+    const int count = rows - j;
     auto column = c.col(j).tail(count);
     int k = 0;
     for(; k + 4 <= depth; k += 4)
-      column.noalias() -= b(j, k) * a.col(k).tail(count) + b(j, k + 1) * a.col(k + 1).tail(count)
-                          + b(j, k + 2) * a.col(k + 2).tail(count) + b(j, k + 3) * a.col(k + 3).tail(count);
+      column.noalias() -= a(j, k) * a.col(k).tail(count) + a(j, k + 1) * a.col(k + 1).tail(count)
+                          + a(j, k + 2) * a.col(k + 2).tail(count) + a(j, k + 3) * a.col(k + 3).tail(count);
     for(; k < depth; ++k)
-      column.noalias() -= b(j, k) * a.col(k).tail(count);
+      column.noalias() -= a(j, k) * a.col(k).tail(count);
   }
 }
 
-// Subtracts a b^T from the lower trapezoid c, where b are the upper rows of a. Tiles are the same for any number
-// of threads.
+// The same for any number of columns. Tiles do not depend on the number of threads.
 inline void subtract_product(Execution execution, const Dense_block& a, Dense_block& c)
 {
   constexpr int thin = 12, tile_width = 96, tile_height = 480;
   const int rows = int(c.rows()), columns = int(c.cols()), depth = int(a.cols());
   if(depth <= thin || rows <= 2 * thin)
   {
-    subtract_thin_product(a, a, c, 1);
+    subtract_thin_product(a, c);
     return;
   }
   const int tiles_across = (columns + tile_width - 1) / tile_width, tiles_down = (rows + tile_height - 1) / tile_height;
@@ -102,6 +102,16 @@ inline void subtract_product(Execution execution, const Dense_block& a, Dense_bl
     if(height > 0)
       c.block(i, j, height, width).noalias() -= a.middleRows(i, height) * a.middleRows(j, width).transpose();
   });
+}
+
+// The part of a column from the diagonal on, divided by the root of the pivot. False if that is not positive.
+inline bool divide_column(Dense_block& matrix, int j)
+{
+  const double pivot = matrix(j, j);
+  if(!(pivot > 0))
+    return false;
+  matrix.col(j).tail(matrix.rows() - j) /= std::sqrt(pivot);
+  return true;
 }
 
 // The first columns of the Cholesky factor of a symmetric matrix, in place of its own; the part above the diagonal
@@ -119,14 +129,19 @@ inline bool factorize_columns(Execution execution, Dense_block matrix, Work_mete
     subtract_product(execution, part(matrix, half, 0, rows - half, half), rest);
     return factorize_columns(execution, rest, meter);
   }
-  for(int j = 0; j < columns; ++j)
+  for(int j = 0; j < columns; j += 2) // by pairs: the others are passed over half as often
   {
-    const double pivot = matrix(j, j);
-    if(!(pivot > 0))
+    if(!divide_column(matrix, j))
       return false;
-    matrix.col(j).tail(rows - j) /= std::sqrt(pivot);
-    for(int k = j + 1; k < columns; ++k)
-      matrix.col(k).tail(rows - k) -= matrix(k, j) * matrix.col(j).tail(rows - k);
+    if(j + 1 == columns)
+      break;
+    const int rest = rows - j - 1;
+    matrix.col(j + 1).tail(rest) -= matrix(j + 1, j) * matrix.col(j).tail(rest);
+    if(!divide_column(matrix, j + 1))
+      return false;
+    for(int k = j + 2; k < columns; ++k)
+      matrix.col(k).tail(rows - k)
+        -= matrix(k, j) * matrix.col(j).tail(rows - k) + matrix(k, j + 1) * matrix.col(j + 1).tail(rows - k);
   }
   return meter.add(double(rows) * rows * columns);
 }
