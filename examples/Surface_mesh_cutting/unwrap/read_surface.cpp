@@ -72,6 +72,14 @@ Interpretation translate(const SMC::Interpretation& finding)
   return result;
 }
 
+// Makes the library see the first corner of the file first, from which many programs triangulate polygons.
+void set_first_corners(const std::vector<Halfedge>& halfedges, const SMC::internal::Polygons& polygons, Mesh& mesh)
+{
+  for(int f = 0; f < polygons.number(); ++f)
+    if(polygons.size(f) > 3)
+      mesh.set_halfedge(Face(Mesh::size_type(f)), mesh.next(halfedges[std::size_t(polygons.begin(f))]));
+}
+
 // The halfedge that leads to each corner of the polygons.
 std::vector<Halfedge> halfedges_of_corners(const SMC::internal::Polygons& polygons, const Mesh& mesh)
 {
@@ -101,6 +109,7 @@ Surface read_surface(const Polygon_soup& soup, bool do_weld)
   surface.vertices = read_as.origins;
   surface.polygons = read_as.polygon_origins;
   const std::vector<Halfedge> halfedges = halfedges_of_corners(read_as.polygons, surface.mesh);
+  set_first_corners(halfedges, read_as.polygons, surface.mesh);
   surface.corners.assign(surface.mesh.num_halfedges(), -1);
   for(std::size_t c = 0; c < read_as.corners.size(); ++c)
   {

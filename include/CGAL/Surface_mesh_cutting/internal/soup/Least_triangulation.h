@@ -40,6 +40,29 @@ inline Point area_vector(const std::vector<Point>& polygon)
 // Whether the diagonal between two corners of a polygon is not wanted: the surface has such an edge already.
 using Is_taken = std::function<bool(int, int)>;
 
+// Whether a triangle of a polygon with this area vector is flat or turned over.
+inline bool is_turned_over(const Point& p, const Point& q, const Point& r, const Point& area)
+{
+  using Surface_mesh_parameterization::internal::cross_product;
+  constexpr double flat = 1e-10; // of the products of lengths that rounding spoils
+  const Point a = q - p, b = r - p;
+  return cross_product(a, b).dot(area) <= flat * area.norm() * (a.squaredNorm() + b.squaredNorm());
+}
+
+// The fan of the first corner, as most programs triangulate polygons; empty if that turns a triangle over.
+inline std::vector<Triangle> fan_triangulation(const std::vector<Point>& polygon)
+{
+  const Point area = area_vector(polygon);
+  std::vector<Triangle> triangles;
+  for(int i = 1; i + 1 < int(polygon.size()); ++i)
+  {
+    if(is_turned_over(polygon[0], polygon[i], polygon[i + 1], area))
+      return {};
+    triangles.push_back({0, i, i + 1});
+  }
+  return triangles;
+}
+
 // The triangulation of a polygon that has, in this order, as few unwanted diagonals, as few triangles that are
 // flat or turned over, and as short diagonals as possible: dynamic programming in O(n^3) time. A simple flat polygon
 // is triangulated without a triangle turned over, hence without overlaps. What CGAL has for holes cannot leave out
@@ -48,7 +71,7 @@ class Least_triangulation
 {
 public:
   Least_triangulation(const std::vector<Point>& polygon, const Is_taken& is_taken)
-    : m_polygon(polygon), m_is_taken(is_taken), m_normal(area_vector(polygon)), m_size(int(polygon.size())),
+    : m_polygon(polygon), m_is_taken(is_taken), m_area(area_vector(polygon)), m_size(int(polygon.size())),
       m_costs(polygon.size() * polygon.size()), m_apexes(polygon.size() * polygon.size(), -1)
   {
     for(int width = 2; width < m_size; ++width)
@@ -98,7 +121,7 @@ private:
     for(int k = i + 1; k < j; ++k)
     {
       Cost cost = m_costs[index(i, k)] + m_costs[index(k, j)];
-      cost.turned_over += is_turned_over(i, k, j);
+      cost.turned_over += is_turned_over(m_polygon[i], m_polygon[k], m_polygon[j], m_area);
       if(cost < best)
       {
         best = cost;
@@ -110,17 +133,9 @@ private:
     m_costs[index(i, j)] = best;
   }
 
-  bool is_turned_over(int i, int k, int j) const
-  {
-    using Surface_mesh_parameterization::internal::cross_product;
-    constexpr double flat = 1e-10; // of the products of lengths that rounding spoils
-    const Point a = m_polygon[k] - m_polygon[i], b = m_polygon[j] - m_polygon[i];
-    return cross_product(a, b).dot(m_normal) <= flat * m_normal.norm() * (a.squaredNorm() + b.squaredNorm());
-  }
-
   const std::vector<Point>& m_polygon;
   const Is_taken& m_is_taken;
-  const Point m_normal;
+  const Point m_area;
   const int m_size;
   std::vector<Cost> m_costs; // of what lies above the base from i to j
   std::vector<int> m_apexes;

@@ -99,7 +99,10 @@ private:
       return result;
     };
 
-    std::vector<Triangle> triangles;
+    std::vector<Triangle> triangles = fan_triangulation(corners);
+    if(!triangles.empty() && !has_unwanted_diagonal(triangles))
+      return add_diagonals(triangles, size, diagonal);
+    triangles.clear();
     if(size > maximal_size_of_least)
       triangles = constrained_triangulation(corners);
     if(triangles.empty() && size > maximal_size_of_repair)
@@ -108,6 +111,12 @@ private:
       triangles = Least_triangulation(corners, is_taken).triangles();
     if(has_unwanted_diagonal(triangles))
       m_result.doubled.push_back(polygon);
+    return add_diagonals(triangles, size, diagonal);
+  }
+
+  template <typename Diagonal>
+  std::vector<Triangle> add_diagonals(const std::vector<Triangle>& triangles, int size, Diagonal diagonal)
+  {
     for_each_diagonal(triangles, size, [&](int i, int j, int) { m_edges.insert(diagonal(i, j)); });
     return triangles;
   }
