@@ -9,17 +9,20 @@ import sys
 from pathlib import Path
 
 from browser import Browser, find_browser
-from support import Case, main, joined, read_obj, sphere, to_off, torus
+from support import Case, main, read_obj, sphere, to_off, torus
 
 SCREENSHOTS = Path(sys.argv.pop(3)) if len(sys.argv) > 3 else None
 SIZES = {"desktop": (1400, 900, False), "phone": (390, 844, True)}  # the phone in the dark
 
 
 def parts(number):
-    mesh = sphere(1)
-    for _ in range(number - 1):
-        mesh = joined(sphere(2), mesh)
-    return mesh
+    """Spheres on a square grid."""
+    points, faces = [], []
+    for i in range(number):
+        more, triangles = sphere(1 + i % 2)
+        faces += [tuple(v + len(points) for v in face) for face in triangles]
+        points += [(x + 2.4 * (i % 4), y + 2.8 * (i // 4), z) for x, y, z in more]
+    return points, faces
 
 
 def ring(n):

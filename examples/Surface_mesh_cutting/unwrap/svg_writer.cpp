@@ -169,14 +169,13 @@ std::string to_svg(const Layout& layout, const Outcome& outcome, const std::stri
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << Coarse{width} << " "
       << Coarse{plot_top + (plot.is_empty() ? 0 : Trade_off_plot::height)} << "\">\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+  if(style != "partners")
+    draw_triangles(layout, view, out);
+  draw_edges(layout, view, out);
   if(style == "partners")
     draw_partners(layout, view, out);
   else
-  {
-    draw_triangles(layout, view, out);
-    draw_edges(layout, view, out);
     draw_borders(layout, view, out);
-  }
   draw_feature_points(layout, view, out);
   if(style != "partners")
     draw_legend(outcome, legend_top, legend_width, out);

@@ -398,6 +398,10 @@ class View {
   addPoints(indices, isRound) {
     const object = new THREE.Points(lineGeometry(this.positions, indices),
       new THREE.PointsMaterial({size: isRound ? 12 : 13, sizeAttenuation: false, transparent: true, alphaTest: 0.3}));
+    // Before the lines that end there.
+    object.material.onBeforeCompile = shader => {
+      shader.vertexShader = shader.vertexShader.replace('#include <project_vertex>', '#include <project_vertex>\n  gl_Position.z -= 4e-4 * gl_Position.w;');
+    };
     object.renderOrder = 3;
     object.isRound = isRound;
     this.scene.add(object);

@@ -19,10 +19,12 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,20 +32,14 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// A factor that makes the area of the charts about one.
-inline double unit_area_factor(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
+// The power of two that is about the extent of the charts.
+inline int extent_exponent(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
 {
-  using namespace Surface_mesh_parameterization::internal;
-  Bounding_box<2> box;
+  Surface_mesh_parameterization::internal::Bounding_box<2> box;
   for(const Triangle& t : chart.triangles())
     for(const int v : t)
       box.add(uv[v]);
-  const double extent = std::ldexp(1., std::ilogb(box.longest_side())); // whose square may be out of range
-  std::vector<Eigen::Vector2d> scaled_uv = uv;
-  for(Eigen::Vector2d& u : scaled_uv)
-    u /= extent;
-  const double area = chart_area(chart.triangles(), scaled_uv);
-  return area > 0 ? 1 / (std::sqrt(area) * extent) : 1 / extent;
+  return std::ilogb(box.longest_side());
 }
 
 // Moves the outlines' charts; `factor` is what the outlines were scaled by.
@@ -107,8 +103,12 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   if(!packing.status)
     return packing;
   const Connected_parts parts(chart.opposites());
-  const std::vector<Eigen::Vector2d> uv = vertex_uvs(chart, corner_uv);
-  const double factor = unit_area_factor(chart, uv);
+  std::vector<Eigen::Vector2d> uv = vertex_uvs(chart, corner_uv);
+  const int exponent = extent_exponent(chart, uv); // at the UVs' own scale, areas may be out of range
+  for(Eigen::Vector2d& u : uv)
+    u = Surface_mesh_parameterization::internal::scaled(u, -exponent);
+  const double area = Surface_mesh_parameterization::internal::chart_area(chart.triangles(), uv);
+  const double factor = area > 0 ? 1 / std::sqrt(area) : 1;
   const std::vector<Chart_outline> outlines = chart_outlines(chart, parts, uv, factor);
   const std::optional<Packed_charts> packed
     = Chart_packer<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), go_further).pack();
@@ -124,7 +124,7 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   packing.has_result = true;
   if(!go_further())
     packing.status = stopped_status();
-  packing.scale = factor * packed->scale;
+  packing.scale = std::ldexp(factor * packed->scale, -exponent);
   packing.fill = Surface_mesh_parameterization::internal::chart_area(chart.triangles(), packing.uv);
   packing.number_of_charts = parts.number;
   return packing;
