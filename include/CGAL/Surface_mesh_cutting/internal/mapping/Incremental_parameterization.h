@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Kept_solver.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Local_window.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Mapping_policy.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
@@ -250,20 +251,6 @@ private:
     if(is_hopeless())
       m_hopeless_solved_faces += double(result.iterations) * m_mesh.number_of_faces();
   }
-
-  // Is not copied: a copy makes a solver of its own.
-  struct Kept_solver
-  {
-    Kept_solver() = default;
-    Kept_solver(const Kept_solver&) {}
-    Kept_solver& operator=(const Kept_solver&)
-    {
-      pointer.reset();
-      return *this;
-    }
-
-    std::unique_ptr<Newton_solver> pointer;
-  };
 
   // A slit that was opened and may be closed again.
   struct Trial

@@ -61,16 +61,16 @@ Indexed_status open_to_disk(Problem& problem, const Context& context)
 {
   constexpr double share_for_loops = 0.5, share_for_paths = 0.2; // measured; more makes cuts longer
   const Indexed_mesh& mesh = problem.mesh;
-  const double is_free = context.parameters.has_weights ? 0 : 1;
+  const double crease_factor = context.parameters.has_weights ? 0 : 1;
   Handle_loops handles;
   {
     const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
-    handles = cut_handles(mesh, favor_creases(mesh, problem.constraints, is_free * share_for_loops), context.control);
+    handles = cut_handles(mesh, favor_creases(mesh, problem.constraints, crease_factor * share_for_loops), context.control);
   }
   if(!handles.status)
     return handles.status;
   const Phase_clock::Measurement measurement(context.clock, Phase::CONNECT);
-  Edge_constraints constraints = favor_creases(mesh, problem.constraints, is_free * share_for_paths);
+  Edge_constraints constraints = favor_creases(mesh, problem.constraints, crease_factor * share_for_paths);
   constraints.mandatory = std::move(handles.cut);
   Connected_cut connected = connect_terminals<ConcurrencyTag>(mesh, constraints, problem.terminals,
                                                               context.parameters.connection, context.control);
