@@ -310,7 +310,7 @@ void test_random(CGAL::Random& random)
     for(int f = random.get_int(1, 25); f > 0; --f)
     {
       Polygon polygon;
-      for(int k = random.get_int(3, 3 + i % 4); k >= 0; --k)
+      for(int k = random.get_int(3, 5 + i % 4); k > 0; --k)
         polygon.push_back(std::size_t(random.get_int(0, number_of_points)));
       soup.faces.push_back(polygon);
     }
