@@ -13,7 +13,7 @@ namespace SMC = CGAL::Surface_mesh_cutting;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/non_manifold_vertex.off");
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/quads_to_stitch.off");
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t> > polygons;
   if(!CGAL::IO::read_polygon_soup(filename, points, polygons))
@@ -23,7 +23,7 @@ int main(int argc, char** argv)
   }
 
   std::vector<std::vector<Kernel::Point_2> > uvs; // of the corners of each polygon
-  const SMC::Unwrap_soup_result result = SMC::unwrap_polygon_soup(points, polygons, uvs);
+  const SMC::Unwrap_soup_result result = SMC::unwrap_polygon_soup(points, polygons, uvs, CGAL::parameters::do_weld_points(true));
   if(!result)
   {
     std::cerr << result.status.message << std::endl;
@@ -31,12 +31,12 @@ int main(int argc, char** argv)
   }
 
   for(const SMC::Interpretation& reading : result.interpreted)
-    if(reading.kind == SMC::Interpretation_kind::NON_MANIFOLD_VERTICES)
-      for(std::size_t v : reading.vertices)
-        std::cout << "the surface has several vertices at point " << v << std::endl;
+    if(reading.kind == SMC::Interpretation_kind::WELDED_VERTICES)
+      std::cout << reading.count() << " points count as a former one at the same place" << std::endl;
   std::cout << polygons.size() << " polygons in " << result.components << " parts, mean energy "
             << result.average_distortion << std::endl;
 
-  const bool is_valid = bool(SMC::certify_unwrapped_polygon_soup(points, polygons, uvs));
-  return is_valid ? EXIT_SUCCESS : EXIT_FAILURE;
+  const auto certificate
+    = SMC::certify_unwrapped_polygon_soup(points, polygons, uvs, CGAL::parameters::do_weld_points(true));
+  return certificate ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -2,7 +2,7 @@
 // every map has to satisfy.
 
 #include "checks.h"
-#include "soups.h"
+#include "polygon_soups.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrapped_polygon_soup.h>
 #include <CGAL/Surface_mesh_cutting/unwrap_polygon_soup.h>
@@ -22,10 +22,10 @@
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 using Kernel = CGAL::Simple_cartesian<double>;
+using test::Polygon;
 using test::Soup;
 using test::check;
 using Kind = SMC::Interpretation_kind;
-using Polygon = std::vector<std::size_t>;
 using Corner_uvs = std::vector<std::vector<Kernel::Point_2> >;
 
 std::vector<Kernel::Point_3> points_of(const Soup& soup)
@@ -193,130 +193,18 @@ SMC::Unwrap_soup_result unwrap(const std::string& name, const Soup& soup, bool d
   return result;
 }
 
-// m by n squares, which are not halved.
-Soup whole_quads(int m, int n, bool is_closed_m, bool is_closed_n)
-{
-  Soup soup = test::quads(m, n, is_closed_m, is_closed_n);
-  std::vector<Polygon> faces;
-  for(std::size_t f = 0; f < soup.faces.size(); f += 2)
-    faces.push_back({soup.faces[f][0], soup.faces[f][1], soup.faces[f][2], soup.faces[f + 1][2]});
-  soup.faces = faces;
-  return soup;
-}
-
-// A prism over a star of n rays: two concave polygons, and a rectangle for each side.
-Soup star_prism(int n)
-{
-  Soup soup;
-  Polygon low, high;
-  for(int i = 0; i < 2 * n; ++i)
-    for(double z : {0., 1.})
-      soup.points.push_back({(1 + i % 2) * std::cos(CGAL_PI * i / n), (1 + i % 2) * std::sin(CGAL_PI * i / n), z});
-  for(int i = 0; i < 2 * n; ++i)
-  {
-    const std::size_t a = 2 * i, b = 2 * ((i + 1) % (2 * n));
-    soup.faces.push_back({a, b, b + 1, a + 1});
-    low.insert(low.begin(), a);
-    high.push_back(a + 1);
-  }
-  soup.faces.push_back(low);
-  soup.faces.push_back(high);
-  return soup;
-}
-
-// With a vertex of two polygons in the middle of each edge.
-Soup with_midpoints(Soup soup)
-{
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
-  for(Polygon& polygon : soup.faces)
-  {
-    Polygon finer;
-    for(std::size_t k = 0; k < polygon.size(); ++k)
-    {
-      const std::size_t a = polygon[k], b = polygon[(k + 1) % polygon.size()];
-      const auto inserted = midpoints.emplace(std::minmax(a, b), soup.points.size());
-      if(inserted.second)
-      {
-        const std::array<double, 3> p = soup.points[a], q = soup.points[b];
-        soup.points.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
-      }
-      finer.push_back(a);
-      finer.push_back(inserted.first->second);
-    }
-    polygon = finer;
-  }
-  return soup;
-}
-
-// A strip of n squares with a half turn; the last vertices are the first ones, exchanged.
-Soup moebius_strip(int n)
-{
-  Soup soup;
-  for(int i = 0; i < n; ++i)
-    for(double t : {-0.4, 0., 0.4})
-    {
-      const double a = 2 * CGAL_PI * i / n;
-      soup.points.push_back({(1 + t * std::cos(a / 2)) * std::cos(a), (1 + t * std::cos(a / 2)) * std::sin(a),
-                             t * std::sin(a / 2)});
-    }
-  const auto vertex = [n](int i, int j) { return std::size_t(i < n ? 3 * i + j : 3 * (i - n) + 2 - j); };
-  for(int i = 0; i < n; ++i)
-    for(int j = 0; j < 2; ++j)
-      soup.faces.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-  return soup;
-}
-
-// k sheets of n squares at one line.
-Soup book(int k, int n)
-{
-  Soup soup;
-  for(int j = 0; j <= n; ++j)
-    soup.points.push_back({0, 0, double(j)});
-  for(int i = 0; i < k; ++i)
-  {
-    const std::size_t first = soup.points.size();
-    for(int j = 0; j <= n; ++j)
-      soup.points.push_back({std::cos(2 * CGAL_PI * i / k), std::sin(2 * CGAL_PI * i / k), double(j)});
-    for(std::size_t j = 0; j < std::size_t(n); ++j)
-      soup.faces.push_back({j, first + j, first + j + 1, j + 1});
-  }
-  return soup;
-}
-
-Soup tetrahedron(std::size_t a, std::size_t b, std::size_t c, std::size_t d)
-{
-  Soup soup;
-  soup.faces = {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}};
-  return soup;
-}
-
-Soup without_indices(const Soup& soup)
-{
-  Soup result;
-  for(const Polygon& polygon : soup.faces)
-  {
-    result.faces.emplace_back();
-    for(const std::size_t v : polygon)
-    {
-      result.faces.back().push_back(result.points.size());
-      result.points.push_back(soup.points[v]);
-    }
-  }
-  return result;
-}
-
 void test_polygons()
 {
-  check(unwrap("flat squares", whole_quads(4, 3, false, false)).cut_length == 0, "a disk needs no cut");
-  check(unwrap("torus", whole_quads(8, 6, true, true)).genus == 1, "genus of the torus");
-  check(unwrap("tube", whole_quads(8, 3, true, false)).borders == 2, "borders of the tube");
+  check(unwrap("flat squares", test::whole_quads(4, 3, false, false)).cut_length == 0, "a disk needs no cut");
+  check(unwrap("torus", test::whole_quads(8, 6, true, true)).genus == 1, "genus of the torus");
+  check(unwrap("tube", test::whole_quads(8, 3, true, false)).borders == 2, "borders of the tube");
   for(int n : {3, 10, 40})
   {
-    const SMC::Unwrap_soup_result star = unwrap("star of " + std::to_string(n), star_prism(n));
+    const SMC::Unwrap_soup_result star = unwrap("star of " + std::to_string(n), test::star_prism(n));
     check(star.genus == 0 && star.components == 1 && star.interpreted.empty(), "a star is a sphere");
   }
-  for(const Soup& soup : {whole_quads(4, 3, false, false), whole_quads(5, 4, true, true), test::sphere(5, 3), star_prism(5)})
-    unwrap("midpoints", with_midpoints(soup));
+  for(const Soup& soup : {test::whole_quads(4, 3, false, false), test::whole_quads(5, 4, true, true), test::sphere(5, 3), test::star_prism(5)})
+    unwrap("midpoints", test::with_midpoints(soup));
 
   // A flat concave polygon is mapped onto itself.
   Soup concave;
@@ -335,7 +223,7 @@ void test_non_manifold()
 {
   for(int k : {3, 4, 7, 20})
   {
-    const SMC::Unwrap_soup_result result = unwrap("book", book(k, 3));
+    const SMC::Unwrap_soup_result result = unwrap("book", test::book(k, 3));
     check(result.components == (k + 1) / 2, "pairs of sheets stay connected");
     check(count(result, Kind::NON_MANIFOLD_EDGES) == 3, "edges of a book");
   }
@@ -344,9 +232,9 @@ void test_non_manifold()
     = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {2, 1, 0}, {-1, -1, 0}, {-2, 0, 1}};
   for(const auto& other : std::vector<std::array<std::size_t, 4> >{{{0, 1, 4, 5}}, {{1, 2, 3, 4}}, {{0, 6, 7, 4}}})
   {
-    Soup soup = tetrahedron(0, 1, 2, 3);
+    Soup soup = test::tetrahedron(0, 1, 2, 3);
     soup.points = points;
-    const Soup second = tetrahedron(other[0], other[1], other[2], other[3]);
+    const Soup second = test::tetrahedron(other[0], other[1], other[2], other[3]);
     soup.faces.insert(soup.faces.end(), second.faces.begin(), second.faces.end());
     const SMC::Unwrap_soup_result result = unwrap("two tetrahedra", soup);
     check(result.components == 2 && result.borders == 0 && result.genus == 0, "two closed tetrahedra");
@@ -361,10 +249,10 @@ void test_orientation()
 {
   for(int n : {3, 5, 20})
   {
-    const SMC::Unwrap_soup_result result = unwrap("Moebius strip", moebius_strip(n));
+    const SMC::Unwrap_soup_result result = unwrap("Moebius strip", test::moebius_strip(n));
     check(count(result, Kind::NON_ORIENTABLE_EDGES) > 0, "a Moebius strip is opened");
   }
-  Soup soup = whole_quads(8, 6, true, true);
+  Soup soup = test::whole_quads(8, 6, true, true);
   for(std::size_t f : {3, 17, 30})
     std::reverse(soup.faces[f].begin(), soup.faces[f].end());
   check(polygons(unwrap("three turned", soup), Kind::REORIENTED_FACES) == std::vector<std::size_t>({3, 17, 30}),
@@ -373,7 +261,7 @@ void test_orientation()
 
 void test_left_out()
 {
-  Soup soup = whole_quads(8, 6, true, true);
+  Soup soup = test::whole_quads(8, 6, true, true);
   soup.faces.push_back({soup.faces[5][2], soup.faces[5][3], soup.faces[5][0], soup.faces[5][1]});
   soup.faces.push_back(soup.faces[5]);
   soup.faces.push_back({soup.faces[7][0], soup.faces[7][1], soup.faces[7][0]});
@@ -402,8 +290,8 @@ void test_left_out()
 
 void test_welding()
 {
-  const Soup torus = whole_quads(8, 6, true, true);
-  const Soup soup = without_indices(torus);
+  const Soup torus = test::whole_quads(8, 6, true, true);
+  const Soup soup = test::without_indices(torus);
   check(unwrap("no indices", soup).components == 48, "each polygon for itself");
   const SMC::Unwrap_soup_result welded = unwrap("welded", soup, true);
   check(welded.components == 1 && welded.genus == 1, "the torus");
@@ -422,7 +310,7 @@ void test_random(CGAL::Random& random)
     for(int f = random.get_int(1, 25); f > 0; --f)
     {
       Polygon polygon;
-      for(int k = random.get_int(3, 3 + i % 4); k >= 0; --k)
+      for(int k = random.get_int(3, 5 + i % 4); k > 0; --k)
         polygon.push_back(std::size_t(random.get_int(0, number_of_points)));
       soup.faces.push_back(polygon);
     }

@@ -127,6 +127,8 @@ class Interpretation(Case):
             for line in path.read_text().splitlines():
                 if line.startswith("f "):
                     line = re.sub("/[0-9]+/", "//", line)
+                elif line.startswith("v "):
+                    line = " ".join(["v", *(repr(float(word)) for word in line.split()[1:])])
                 if not line.startswith(("#", "vt ")):
                     result.append(line)
             return result
