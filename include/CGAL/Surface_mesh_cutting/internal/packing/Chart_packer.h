@@ -31,6 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Go_further;
+
 // A turn about the origin of the chart's outline, the scale that is common to all charts, and a translation.
 struct Chart_motion
 {
