@@ -41,9 +41,13 @@ class Browser:
             self.call(domain + ".enable")
 
     def close(self):
-        self.process.kill()
-        self.process.wait()
-        os.close(self.output)
+        """Its other processes may write to the profile for a while."""
+        os.close(self.output)  # which ends it
+        try:
+            self.process.wait(self.patience)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
         os.close(self.input)
 
     def receive(self):

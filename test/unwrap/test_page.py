@@ -6,6 +6,7 @@ import json
 import math
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 from browser import Browser, find_browser
@@ -48,7 +49,9 @@ class Page(Case):
 
     def setUp(self):
         super().setUp()
-        self.browser = Browser(self.folder / "profile")
+        profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        self.addCleanup(profile.cleanup)
+        self.browser = Browser(profile.name)
         self.addCleanup(self.browser.close)
 
     def count_colors(self, canvas):

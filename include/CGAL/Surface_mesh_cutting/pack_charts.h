@@ -22,11 +22,12 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/read_packing_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
 #include <Eigen/Core>
 
-#include <vector>
+#include <type_traits>
+#include <utility>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/pack_indexed_charts.h>
@@ -122,7 +123,7 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
   using UV = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using Surface_mesh_parameterization::internal::scaled;
+  using Number = std::decay_t<decltype(std::declval<const UV&>().x())>;
 
   Default_visitor default_visitor;
   internal::Visitor_reference<NamedParameters> visitor
@@ -140,18 +141,18 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
     status.finding = internal::check_parameters(parameters).finding;
   if(status)
   {
-    const int e = adapter.exponent(); // the adapter's UVs are those of the indexed mesh, which is smaller
-    const auto round = [&adapter, e](const Eigen::Vector2d& uv)
-    { return scaled(adapter.template rounded_uv<UV>(scaled(uv, -e)), e); };
+    const auto make_uv = [](const Eigen::Vector2d& uv)
+    { return UV(static_cast<Number>(uv.x()), static_cast<Number>(uv.y())); };
+    const auto round = [make_uv](const Eigen::Vector2d& uv)
+    { return Surface_mesh_parameterization::internal::to_vector_2(make_uv(uv)); };
     const internal::Corner_table chart = internal::make_chart(adapter.mesh(), adapter.read_cut(edge_is_cut_map));
-    internal::Indexed_packing packing = internal::pack_indexed_charts<ConcurrencyTag>(
+    const internal::Indexed_packing packing = internal::pack_indexed_charts<ConcurrencyTag>(
       chart, adapter.read_uvs(halfedge_uv_map), parameters, round, control);
     status.finding = packing.status.finding;
-    for(Eigen::Vector2d& uv : packing.uv)
-      uv = scaled(uv, -e);
     result.has_result = packing.has_result;
     if(result.has_result)
-      adapter.write_uvs(chart, packing.uv, halfedge_uv_map);
+      for(int h = 0; h < adapter.mesh().number_of_halfedges(); ++h)
+        put(halfedge_uv_map, adapter.to_halfedge(h), make_uv(packing.uv[chart.target(h)]));
     result.scale = packing.scale;
     result.fill = packing.fill;
     result.number_of_charts = packing.number_of_charts;

@@ -23,12 +23,15 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
 
 // A turn about the origin of the chart's outline, the scale that is common to all charts, and a translation.
 struct Chart_motion
@@ -136,6 +139,22 @@ private:
         m_strategies.push_back({*order, height_share});
     if(int(m_outlines.size()) > many)
       m_strategies.resize(2);
+    else if(int(m_outlines.size()) <= several)
+      add_shuffled(by_box);
+  }
+
+  // Orders in which neighbors changed places.
+  void add_shuffled(const std::vector<int>& order)
+  {
+    std::minstd_rand random; // the same everywhere
+    for(int round = 0; round < 10; ++round)
+    {
+      std::vector<int> shuffled = order;
+      for(std::size_t i = 0; i + 1 < shuffled.size(); ++i)
+        if(random() % 2 == 0)
+          std::swap(shuffled[i], shuffled[i + 1]);
+      m_strategies.push_back({shuffled, round % 2 == 0 ? 1. : 0.5});
+    }
   }
 
   // Whether there is any scale at which all charts fit.
