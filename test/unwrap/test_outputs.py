@@ -206,6 +206,23 @@ class Outputs(Case):
         self.successful_report("-o", "meshes/a.obj", "--texture", "images/a.png")
         self.assertIn("../images/a.png\n", (self.folder / "meshes" / "a.mtl").read_text())
 
+    def test_ply(self):
+        self.write("in.off", to_off(SPHERE))
+        for name in "out.obj", "out.ply":
+            self.assertEqual(self.report("in.off", "-o", name)[0], 0)
+        points, uvs, faces = read_obj(self.folder / "out.obj")
+        head, body = (self.folder / "out.ply").read_text().split("end_header\n")
+        self.assertIn(f"element vertex {len(points)}\n", head)
+        lines = [line.split() for line in body.splitlines()]
+        self.assertEqual([tuple(map(float, line)) for line in lines[:len(points)]], [tuple(p) for p in points])
+        self.assertEqual([[int(v) for v in line[1:4]] for line in lines[len(points):]],
+                         [[v for v, _ in face] for face in faces])
+        self.assertEqual([list(map(float, line[5:])) for line in lines[len(points):]],
+                         [[x for _, uv in face for x in uvs[uv]] for face in faces])
+        # what is written can be read: its own seams are a cut
+        exit_code, report = self.report("out.ply", "--must-cut", "uv", "-o", "again.obj")
+        self.assertEqual((exit_code, report["features"]), (0, 0), report["message"])
+
     def test_same_bytes_every_time(self):
         def run(*arguments):
             report = self.successful_report(*ALL_OUTPUTS, *arguments)

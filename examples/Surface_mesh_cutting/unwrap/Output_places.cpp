@@ -1,9 +1,9 @@
 #include "Output_places.h"
 
+#include "file_extension.h"
 #include "html_writer.h"
 #include "json_report.h"
 #include "outcome.h"
-#include "read_gltf.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -39,7 +39,7 @@ std::vector<Named_output> find_places(const Options& options, Output_places& pla
   if(!options.json.empty())
     outputs.push_back({options.json, find_place_of_report(options.json), &places.report});
   add(options.output, places.mesh);
-  if(!options.texture.empty() && !is_glb(options.output)) // which holds its material
+  if(!options.texture.empty() && !is_glb(options.output) && !is_ply(options.output)) // only OBJ needs another file
     add(fs::path(options.output).replace_extension(".mtl").string(), places.material);
   add(options.texture, places.texture);
   add(options.svg, places.picture);

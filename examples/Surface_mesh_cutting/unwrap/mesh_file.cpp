@@ -2,14 +2,13 @@
 
 #include "Text_scanner.h"
 #include "file_bytes.h"
+#include "file_extension.h"
 #include "outcome.h"
 #include "read_gltf.h"
 #include "read_with_cgal.h"
 
-#include <algorithm>
-#include <cctype>
 #include <climits>
-#include <filesystem>
+#include <string>
 
 namespace {
 
@@ -17,9 +16,7 @@ using Reader = Polygon_soup (*)(std::string_view, Attributes);
 
 Reader find_reader_by_extension(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string extension = extension_of(path);
   return extension == ".off" ? read_off
        : extension == ".obj" ? read_obj
        : extension == ".ply" ? read_ply

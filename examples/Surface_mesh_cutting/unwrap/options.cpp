@@ -22,7 +22,7 @@ const char* const description =
   "distortion, and writes the mesh with texture coordinates.\n";
 
 const char* const footer = R"(
-Input: OFF, OBJ, PLY, STL, and whatever else CGAL reads. Nothing is repaired, everything is
+Input: OFF, OBJ, PLY, STL, glTF, and whatever else CGAL reads. Nothing is repaired, everything is
 interpreted: vertices and faces keep their number and order (only STL, which has no indices, gets
 its equal points merged). Faces may have any number of corners; they are never cut across. Edges
 with more than two faces keep pairs of them connected and are open to the others; vertices of
@@ -170,9 +170,9 @@ void add_output_options(CLI::App& app, Options& options)
 {
   const std::string group = "Output";
   app.add_option("-o,--output", options.output,
-                 "Mesh with texture coordinates\n(default: name of INPUT with .uv.obj, "
-                 "in the current folder)")
-    ->type_name("OUT.obj")->group(group);
+                 "Mesh with texture coordinates; OBJ, or by the name's end\nbinary glTF (.glb) or PLY (.ply) "
+                 "(default: name of INPUT\nwith .uv.obj, in the current folder)")
+    ->type_name("OUT")->group(group);
   app.add_option("--json", options.json, "Report of measures; - is the standard output")
     ->type_name("FILE")->group(group);
   app.add_option("--svg", options.svg, "Picture of the layout, colored by distortion, and a\nplot of length against distortion")

@@ -1,11 +1,12 @@
 #include "outputs.h"
 
 #include "Output_files.h"
+#include "file_extension.h"
 #include "gltf_writer.h"
 #include "html_writer.h"
 #include "json_report.h"
 #include "obj_writer.h"
-#include "read_gltf.h"
+#include "ply_writer.h"
 #include "svg_writer.h"
 #include "texture.h"
 
@@ -16,9 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The image's name as seen from the folder of the material file.
-std::string image_from_material(const Options& options)
+// The image's name as seen from the folder of the mesh, where the material is, too; empty without one.
+std::string image_from_mesh(const Options& options)
 {
+  if(options.texture.empty())
+    return "";
   const fs::path folder = fs::absolute(options.output).parent_path();
   return fs::absolute(options.texture).lexically_relative(folder).generic_string();
 }
@@ -36,6 +39,8 @@ void write_outputs(const Options& options, const Output_places& places, const La
   Output_files files;
   if(is_glb(options.output))
     files.add(*places.mesh, to_glb(layout, places.texture ? checkerboard_png() : ""));
+  else if(is_ply(options.output))
+    files.add(*places.mesh, to_ply(layout, image_from_mesh(options)));
   else
     files.add(*places.mesh, to_obj(layout, material_file_name(places, options)));
   if(places.picture)
@@ -45,7 +50,7 @@ void write_outputs(const Options& options, const Output_places& places, const La
   if(places.texture)
     files.add(*places.texture, checkerboard_png());
   if(places.material)
-    files.add(*places.material, to_mtl(layout, image_from_material(options)));
+    files.add(*places.material, to_mtl(layout, image_from_mesh(options)));
   if(places.page)
     files.add(*places.page, to_html(layout, report, options));
   if(places.report)

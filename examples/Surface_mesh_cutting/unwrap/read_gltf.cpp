@@ -1,30 +1,17 @@
 #include "read_gltf.h"
 
+#include "file_extension.h"
+
 #include "outcome.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-
-namespace {
-
-std::string extension_of(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension;
-}
-
-} // namespace
 
 bool is_gltf(const std::string& path)
 {
   const std::string extension = extension_of(path);
   return extension == ".gltf" || extension == ".glb";
 }
-
-bool is_glb(const std::string& path) { return extension_of(path) == ".glb"; }
 
 #ifndef UNWRAP_WITH_GLTF
 

@@ -7,7 +7,6 @@
 
 // Whether the name is that of a glTF file (.gltf, .glb).
 bool is_gltf(const std::string& path);
-bool is_glb(const std::string& path); // the binary form
 
 // The triangles of all meshes of the scene, transformed as it says, with vertices at exactly the same point as one:
 // the format repeats vertices where attributes differ. Throws a `Failure` with `Exit_code::UNREADABLE`.
