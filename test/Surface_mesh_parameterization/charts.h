@@ -47,7 +47,7 @@ inline smp::Corner_table make_chart(const std::vector<smp::Triangle>& triangles,
 // m times n squares, each cut along one of its diagonals at random; those for which `is_hole(i, j)`
 // are left out. `place(x, y)` gives the point for a position in the unit square.
 template <typename Place, typename IsHole>
-Test_surface make_grid(int m, int n, CGAL::Random& random, const Place& place,
+Test_surface make_grid_surface(int m, int n, CGAL::Random& random, const Place& place,
                        const IsHole& is_hole)
 {
   std::vector<smp::Triangle> triangles;
@@ -81,7 +81,7 @@ inline Test_surface make_hills(int m, int n, CGAL::Random& random, bool has_hole
 {
   const double p = random.get_double(3, 9), q = random.get_double(3, 9);
   const double height = random.get_double(0.1, 0.6);
-  return make_grid(m, n, random,
+  return make_grid_surface(m, n, random,
     [&](double x, double y)
     { return Eigen::Vector3d(x, y, height * std::sin(p * x) * std::cos(q * y)); },
     [&](int i, int j)
@@ -94,7 +94,7 @@ inline Test_surface make_hills(int m, int n, CGAL::Random& random, bool has_hole
 // A strip of a cylinder: it can be unrolled without distortion.
 inline Test_surface make_developable(int m, int n, CGAL::Random& random)
 {
-  return make_grid(m, n, random,
+  return make_grid_surface(m, n, random,
     [](double x, double y)
     { return Eigen::Vector3d(std::cos(4 * x) / 4, std::sin(4 * x) / 4, y); },
     [](int, int) { return false; });

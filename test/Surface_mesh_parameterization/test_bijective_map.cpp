@@ -206,7 +206,7 @@ void check_refinement(const Test_surface& surface)
 // for.
 Test_surface make_ramp(int length, int width, double turns, CGAL::Random& random, bool has_holes)
 {
-  return make_grid(length, width, random,
+  return make_grid_surface(length, width, random,
     [&](double x, double y)
     {
       const double angle = 2 * EIGEN_PI * turns * x, radius = 3 - y;
@@ -220,7 +220,7 @@ Test_surface make_ramp(int length, int width, double turns, CGAL::Random& random
 Test_surface make_saddle(int arms, int length, double height, CGAL::Random& random)
 {
   const int width = 6;
-  return make_grid(arms * width, length, random,
+  return make_grid_surface(arms * width, length, random,
     [&](double x, double y)
     {
       const double angle = 2 * EIGEN_PI * x * (1 - 1e-3), r = 0.1 + y;

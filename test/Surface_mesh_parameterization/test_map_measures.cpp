@@ -87,7 +87,7 @@ bool are_close(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b
 void test(int n, double height, CGAL::Random& random)
 {
   const auto jitter = [&] { return random.get_double(-0.3, 0.3) / n; };
-  Test_surface grid = make_grid(n, n, random,
+  Test_surface grid = make_grid_surface(n, n, random,
     [&](double x, double y) { return Eigen::Vector3d(x + jitter(), y + jitter(), jitter()); },
     [](int, int) { return false; });
   std::vector<Eigen::Vector2d> uv;

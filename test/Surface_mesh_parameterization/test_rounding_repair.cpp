@@ -37,7 +37,7 @@ struct Counts
 // triangles be, in spacings of the grid.
 Test_surface random_map(int n, double distance, CGAL::Random& random, std::vector<Eigen::Vector2d>& uv)
 {
-  Test_surface grid = make_grid(n, n, random, [](double x, double y) { return Eigen::Vector3d(x, y, 0); },
+  Test_surface grid = make_grid_surface(n, n, random, [](double x, double y) { return Eigen::Vector3d(x, y, 0); },
                                 [](int, int) { return false; });
   uv.clear();
   for(const Eigen::Vector3d& p : grid.points)

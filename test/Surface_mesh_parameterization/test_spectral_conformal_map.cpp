@@ -75,7 +75,7 @@ int main()
   const auto is_hole = [](int i, int j) { return i % 4 == 2 && j % 4 == 2; };
   for(int i = 0; i < 5; ++i)
   {
-    test_developable(make_grid(12 + i, 9, random, flat, is_hole));
+    test_developable(make_grid_surface(12 + i, 9, random, flat, is_hole));
     test_developable(make_developable(9 + i, 14, random));
     for(int j = 0; j < 20; ++j)
       test_repair(make_hills(20 + i, 15 + j, random), random);
