@@ -205,6 +205,29 @@ void test_bay_and_hole()
 }
 
 // The certificate finds a chart moved by a little, and one moved into another one's hole without a margin.
+// Polygons, whose triangles share corners: each corner keeps its place in its chart.
+void test_polygons()
+{
+  Charts charts;
+  for(const double x : {0., 5.}) // two strips of quadrilaterals
+  {
+    std::vector<Mesh::Vertex_index> vertices;
+    for(int i = 0; i < 8; ++i)
+      vertices.push_back(charts.mesh.add_vertex(Kernel::Point_3(x + i / 2 + 0.2 * (i % 2), 2 * (i % 2), 0)));
+    for(std::size_t i = 0; i + 3 < vertices.size(); i += 2)
+      charts.mesh.add_face(vertices[i], vertices[i + 2], vertices[i + 3], vertices[i + 1]);
+  }
+  charts.put_uvs();
+  const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv);
+  assert(result && result.number_of_charts == 2);
+  check_similarity(charts, result.scale);
+  check_distances(charts, 2, 1024);
+  for(const auto v : charts.mesh.vertices())
+    for(const auto h : halfedges_around_target(v, charts.mesh))
+      for(const auto other : halfedges_around_target(v, charts.mesh))
+        assert(charts.mesh.is_border(h) || charts.mesh.is_border(other) || charts.uv[h] == charts.uv[other]);
+}
+
 void test_damage(CGAL::Random& random)
 {
   Charts charts = random_stars(random, 12);
@@ -274,6 +297,7 @@ int main(int argc, char** argv)
   CGAL::Random random(seed);
   test_one_chart();
   test_bay_and_hole();
+  test_polygons();
   test_damage(random);
   test_errors(random);
   test_random_charts(random);

@@ -236,7 +236,7 @@ def read_obj(path):
     for line in path.read_text().splitlines():
         words = line.split()
         if words[0] == "v":
-            points.append(tuple(map(float, words[1:])))
+            points.append(tuple(map(float, words[1:4])))
         elif words[0] == "vt":
             texture_points.append(tuple(map(float, words[1:])))
         elif words[0] == "f":

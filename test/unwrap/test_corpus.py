@@ -10,7 +10,7 @@ from pathlib import Path
 from support import Case, PROGRAM, main, octahedron, sphere, to_obj, to_off, torus
 
 FOLDER = Path(__file__).parents[2] / "benchmark" / "corpus"
-TWICE = (octahedron()[0], octahedron()[1] * 2)
+NOWHERE = ([("nan", 0, 0), *octahedron()[0][1:]], octahedron()[1])
 # Programs that end as unwrap must not.
 CULPRITS = {"hang": "sleep 60", "crash": "kill -SEGV $$", "uncertified": """echo '{"flips": 1}'"""}
 
@@ -21,7 +21,7 @@ class Corpus(Case):
         (self.folder / "meshes").mkdir()
         self.write("meshes/a mesh.off", to_off(sphere(1)))
         self.write("meshes/torus.obj", to_obj(torus()))
-        self.write("meshes/twice.off", to_off(TWICE))
+        self.write("meshes/nowhere.off", to_off(NOWHERE))
         self.write("meshes/no_mesh.csv", "1,2")
 
     def run_script(self, name, *arguments):
@@ -40,10 +40,10 @@ class Corpus(Case):
         record = self.run_mesh(PROGRAM, "meshes/torus.obj", "--seed", "1")
         self.assertEqual((record["outcome"], record["exit_code"]), ("certified", 0))
         self.assertEqual((record["report"]["genus"], record["report"]["seed"]), (1, 1))
-        record = self.run_mesh(PROGRAM, "meshes/twice.off")
+        record = self.run_mesh(PROGRAM, "meshes/nowhere.off")
         self.assertEqual((record["outcome"], record["digest"]), ("refused", None))
         self.assertEqual(self.run_mesh(PROGRAM, "missing.off")["outcome"], "refused")
-        self.assertEqual(self.run_mesh(PROGRAM, "meshes/twice.off", "--no-such-option")["outcome"], "usage")
+        self.assertEqual(self.run_mesh(PROGRAM, "meshes/nowhere.off", "--no-such-option")["outcome"], "usage")
 
     def test_culprits(self):
         for outcome, script in CULPRITS.items():
@@ -66,13 +66,13 @@ class Corpus(Case):
         run("list.txt")
         self.assertEqual([record["mesh"] for record in self.records()], ["meshes/torus.obj"])
         with (self.folder / "results").open("a") as results:
-            results.write('{"mesh": "meshes/twi')  # as a killed run may leave it
+            results.write('{"mesh": "meshes/now')  # as a killed run may leave it
         table = run("meshes", "--jobs", 2)
         lines = (self.folder / "results").read_text().splitlines()
         self.assertEqual(len(lines), 4)
         self.assertEqual(run("meshes"), table)
         self.assertEqual((self.folder / "results").read_text().splitlines(), lines)
-        self.assertIn("refused: meshes/twice.off", table)
+        self.assertIn("refused: meshes/nowhere.off", table)
         self.assertEqual(table.splitlines()[1].split()[:4], ["(none)", "3", "2", "1"])
         table = run("meshes", "--options", "--effort fast")
         self.assertEqual(len(table.splitlines()), 5)  # heading, two sets of options, two refusals

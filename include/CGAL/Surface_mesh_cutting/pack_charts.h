@@ -152,7 +152,7 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
     result.has_result = packing.has_result;
     if(result.has_result)
       for(int h = 0; h < adapter.mesh().number_of_halfedges(); ++h)
-        put(halfedge_uv_map, adapter.to_halfedge(h), make_uv(packing.uv[chart.target(h)]));
+        put(halfedge_uv_map, adapter.to_halfedge_at_source(h), make_uv(packing.uv[chart.source(h)]));
     result.scale = packing.scale;
     result.fill = packing.fill;
     result.number_of_charts = packing.number_of_charts;
