@@ -240,7 +240,7 @@ def read_obj(path):
         elif words[0] == "vt":
             texture_points.append(tuple(map(float, words[1:])))
         elif words[0] == "f":
-            faces.append([tuple(int(i) - 1 for i in word.split("/")) for word in words[1:]])
+            faces.append([tuple(int(i) - 1 for i in word.split("/")[:2]) for word in words[1:]])
     return points, texture_points, faces
 
 
