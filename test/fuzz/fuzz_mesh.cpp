@@ -58,14 +58,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Layout layout = unwrap_soup(soup, options, outcome);
     if(!outcome.has_result)
       return 0;
-    const std::string fault = find_fault(layout, soup, options.is_bijective);
+    const std::string fault = find_fault(layout, soup, is_injective(options));
     if(!fault.empty())
     {
       std::fprintf(stderr, "%s\n", fault.c_str());
       std::abort();
     }
     to_obj(layout, "");
-    to_svg(layout, outcome);
+    to_svg(layout, outcome, options.svg_style);
   }
   catch(const Failure&)
   {
