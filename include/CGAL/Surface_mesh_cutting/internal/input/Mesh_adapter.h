@@ -117,11 +117,7 @@ public:
   // Replaces indices by descriptors and appends the first of them to the messages.
   Status<TriangleMesh> translate(const Indexed_status& flat) const
   {
-    Status<TriangleMesh> status;
-    static_cast<Surface_mesh_cutting::Finding<TriangleMesh>&>(status) = translate(flat.finding);
-    for(const Finding& warning : flat.warnings)
-      status.warnings.push_back(translate(warning));
-    return status;
+    return translated<TriangleMesh>(flat, [this](const Finding& finding) { return translate(finding); });
   }
 
 private:

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
@@ -118,6 +119,17 @@ protected:
     m_polygons.resize(polygons.empty() ? 0 : std::size_t(*std::max_element(polygons.begin(), polygons.end())) + 1);
     std::iota(m_polygons.begin(), m_polygons.end(), 0);
     m_status = Indexed_status(code, message, Element_kind::FACE, std::move(polygons));
+  }
+
+  // The status with its finding and warnings as `translate` gives them.
+  template <typename Surface, typename Translate>
+  static Status<Surface> translated(const Indexed_status& flat, const Translate& translate)
+  {
+    Status<Surface> status;
+    static_cast<Surface_mesh_cutting::Finding<Surface>&>(status) = translate(flat.finding);
+    for(const Finding& warning : flat.warnings)
+      status.warnings.push_back(translate(warning));
+    return status;
   }
 
   // Turns triangles into polygons, each once, and leaves out diagonals.

@@ -134,11 +134,7 @@ public:
   // Replaces indices by those of the soup and appends the first of them to the messages.
   Status<Polygon_soup> translate(const Indexed_status& flat) const
   {
-    Status<Polygon_soup> status;
-    static_cast<Surface_mesh_cutting::Finding<Polygon_soup>&>(status) = translate(flat.finding);
-    for(const Finding& warning : flat.warnings)
-      status.warnings.push_back(translate(warning));
-    return status;
+    return translated<Polygon_soup>(flat, [this](const Finding& finding) { return translate(finding); });
   }
 
 private:

@@ -86,6 +86,18 @@ inline std::vector<int> faces_around(const Indexed_mesh& mesh, int face, std::ve
   return faces;
 }
 
+// For each edge of a mesh that consists of `faces` of the whole, in this order, its index there.
+inline std::vector<int> edges_in_whole(const Indexed_mesh& mesh, const std::vector<int>& faces, const Indexed_mesh& whole)
+{
+  std::vector<int> edges;
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+  {
+    const int h = mesh.halfedge(e);
+    edges.push_back(whole.edge(3 * faces[h / 3] + h % 3));
+  }
+  return edges;
+}
+
 // The component that consists of `faces`, in this order. `new_vertex` and `new_halfedge` are work space with an entry
 // for each vertex and halfedge of the whole; those of the vertices are -1, before and after.
 inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<int> faces,
@@ -117,11 +129,7 @@ inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<i
       opposites.push_back(whole.is_border(h) ? -1 : new_halfedge[whole.opposite(h)]);
   }
   component.mesh = Indexed_mesh(std::move(points), std::move(triangles), std::move(opposites));
-  for(int e = 0; e < component.mesh.number_of_edges(); ++e)
-  {
-    const int h = component.mesh.halfedge(e);
-    component.edges.push_back(whole.edge(3 * faces[h / 3] + h % 3));
-  }
+  component.edges = edges_in_whole(component.mesh, faces, whole);
   for(int v : component.vertices)
     new_vertex[v] = -1;
   component.faces = std::move(faces);
@@ -188,11 +196,7 @@ inline std::vector<Indexed_component> split_along(const Indexed_mesh& mesh, cons
   {
     for(int& v : c.vertices)
       v = chart.origins()[v];
-    for(int e = 0; e < c.mesh.number_of_edges(); ++e)
-    {
-      const int h = c.mesh.halfedge(e);
-      c.edges[e] = mesh.edge(3 * c.faces[h / 3] + h % 3);
-    }
+    c.edges = edges_in_whole(c.mesh, c.faces, mesh);
   }
   return components;
 }
