@@ -57,6 +57,9 @@ function(precompiled_set_for file result)
   endforeach()
 endfunction()
 
+# What most sources of the program unwrap include.
+set(precompiled_mesh CGAL/Simple_cartesian.h CGAL/Surface_mesh.h)
+
 # precompile_headers_of(FOLDER): for all programs of a single source in it
 function(precompile_headers_of folder)
   get_directory_property(extension DIRECTORY "${folder}" DEFINITION CMAKE_PCH_EXTENSION)
@@ -73,6 +76,23 @@ function(precompile_headers_of folder)
       if(name)
         target_precompile_headers(${target} REUSE_FROM precompiled_${name})
       endif()
+    endif()
+  endforeach()
+endfunction()
+
+# precompile_set_for_sources_of(TARGET SET): for each of its many sources that reaches all of the set; called from the
+# folder of the target
+function(precompile_set_for_sources_of target set)
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(folder ${target} SOURCE_DIR)
+  set(headers ${precompiled_${set}})
+  list(TRANSFORM headers PREPEND "<")
+  list(TRANSFORM headers APPEND ">")
+  target_precompile_headers(${target} PRIVATE ${headers})
+  foreach(source IN LISTS sources)
+    precompiled_set_for("${folder}/${source}" name ${set})
+    if(NOT name)
+      set_source_files_properties("${folder}/${source}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     endif()
   endforeach()
 endfunction()

@@ -10,7 +10,7 @@ fi
 wanted=()
 for purpose in "$@"; do
   case $purpose in
-    build) wanted+=(g++ cmake make libcgal-dev libeigen3-dev libboost-dev
+    build) wanted+=(g++ cmake make ninja-build libcgal-dev libeigen3-dev libboost-dev
                     libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libtinygltf-dev libjs-three) ;;
     test)  wanted+=(libopenmesh-dev python3 chromium) ;;
     corpus) wanted+=(parallel python3) ;;
@@ -19,7 +19,7 @@ for purpose in "$@"; do
     sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
-    ci)    wanted+=(clang ninja-build) ;;
+    ci)    wanted+=(clang) ;;
     *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;
   esac
 done
