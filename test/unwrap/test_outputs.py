@@ -30,6 +30,41 @@ def energy(points, uvs):
     return area, norm * (1 + (area / uv_area) ** 2), uv_area
 
 
+def benchmark_measures(points, uvs, faces):
+    """The columns of the parameterization benchmark, from their definitions, that have no need of the cut."""
+    corners = [([points[v] for v, _ in face], [uvs[uv] for _, uv in face]) for face in faces]
+    areas = [area / 2 for area, _, _ in (energy(*corner) for corner in corners)]
+    images = [abs(uv_area) / 2 for _, _, uv_area in (energy(*corner) for corner in corners)]
+    width = max(max(uv[i] for uv in uvs) - min(uv[i] for uv in uvs) for i in (0, 1))
+    scale = math.sqrt(sum(areas) / sum(images))
+
+    def angles(triangle):
+        sides = [math.dist(triangle[(k + 1) % 3], triangle[(k + 2) % 3]) for k in range(3)]
+        return [math.acos((sides[k - 1] ** 2 + sides[k - 2] ** 2 - sides[k] ** 2) / (2 * sides[k - 1] * sides[k - 2]))
+                for k in range(3)]
+
+    result = dict.fromkeys(("max_area_distortion", "average_area_discrepancy", "max_singular_value",
+                            "max_angle_distortion", "average_angle_discrepancy", "resolution",
+                            "symmetric_dirichlet_energy"), 0)
+    result["min_singular_value"] = math.inf
+    for (surface, image), area, uv_area in zip(corners, areas, images):
+        norm = energy(surface, image)[1] / (1 + (area / uv_area) ** 2)  # the sum of both squares
+        product = uv_area / area
+        large = (math.sqrt(norm + 2 * product) + math.sqrt(max(0, norm - 2 * product))) / 2
+        small = product / large
+        share, uv_share = area / sum(areas), uv_area / sum(images)
+        excess = lambda x: x + 1 / x - 2
+        result["average_area_discrepancy"] += abs(share - uv_share)
+        result["average_angle_discrepancy"] += share * sum(abs(a - b) for a, b in zip(angles(surface), angles(image)))
+        result["symmetric_dirichlet_energy"] += share / 2 * sum(
+            (scale * s) ** 2 + (scale * s) ** -2 for s in (small, large))
+        result["min_singular_value"] = min(result["min_singular_value"], scale * small)
+        for key, value in (("max_area_distortion", excess(uv_share / share)), ("max_singular_value", scale * large),
+                           ("max_angle_distortion", excess(large / small)), ("resolution", width / small)):
+            result[key] = max(result[key], value)
+    return result, sum(areas)
+
+
 def with_arms(mesh):
     """A body with arms in many directions; the chart of such a surface overlaps itself."""
     points, faces = mesh
@@ -132,6 +167,18 @@ class Outputs(Case):
             if report["fill"] is not None:
                 area = sum(uv_area for _, _, uv_area in measures) * report["uv_scale"] ** 2 / 2
                 self.assertAlmostEqual(report["fill"], area, places=9)
+
+    def test_measures_of_the_benchmark(self):
+        for options in ([], ["--uv-scale", "surface", "--allow-overlap"]):
+            report = self.successful_report("-o", "out.obj", *options)
+            expected, area = benchmark_measures(*read_obj(self.folder / "out.obj"))
+            for key, value in expected.items():
+                self.assertAlmostEqual(report["distortion"][key] / value, 1, places=6, msg=key)
+            self.assertEqual(report["distortion"]["proportion_flipped_triangles"], 0)
+            diagonal = math.dist(*([f(p[i] for p in SPHERE[0]) for i in range(3)] for f in (min, max)))
+            self.assertAlmostEqual(report["distortion"]["mesh_cut_length"],
+                                   report["cut_length"] * diagonal / math.sqrt(area), places=6)
+            self.assertEqual(report["distortion"]["overlaps"], 0)
 
     def test_unit_square(self):
         self.write("parts.off", to_off(joined(joined(sphere(1), sphere(2)), sphere(2))))

@@ -49,6 +49,26 @@ Json to_json(const std::vector<Interpretation>& interpreted)
   return result;
 }
 
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+// The columns of the parameterization benchmark.
+Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Distortion_measures>& measures)
+{
+  if(!measures)
+    return nullptr;
+  return {{"max_area_distortion", number(measures->largest_area_distortion)},
+          {"average_area_discrepancy", number(measures->average_area_discrepancy)},
+          {"min_singular_value", number(measures->smallest_singular_value)},
+          {"max_singular_value", number(measures->largest_singular_value)},
+          {"proportion_flipped_triangles", number(measures->proportion_of_flipped_faces)},
+          {"max_angle_distortion", number(measures->largest_angle_distortion)},
+          {"average_angle_discrepancy", number(measures->average_angle_discrepancy)},
+          {"resolution", number(measures->resolution)},
+          {"symmetric_dirichlet_energy", number(measures->symmetric_Dirichlet_energy)},
+          {"mesh_cut_length", number(measures->cut_length)},
+          {"overlaps", to_json(measures->overlaps)}};
+}
+
 double peak_memory_in_megabytes()
 {
   rusage usage = {};
@@ -101,6 +121,7 @@ std::string to_json(const Outcome& outcome)
     {"charts", to_json(outcome.charts)},
     {"uv_scale", to_json(outcome.uv_scale)},
     {"fill", to_json(outcome.fill)},
+    {"distortion", to_json(outcome.distortion)},
     {"tradeoff", outcome.trade_offs},
     {"seconds", to_json(outcome.seconds)},
     {"cpu_seconds", to_json(outcome.cpu_seconds)},

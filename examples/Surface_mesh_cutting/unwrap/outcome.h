@@ -6,6 +6,8 @@
 
 #include "Surface.h"
 
+#include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -69,6 +71,7 @@ struct Outcome
   std::optional<double> average_energy, maximum_energy;
   std::optional<int> flips, overlaps, charts;
   std::optional<double> uv_scale, fill; // UV units per unit of length; of the unit square
+  std::optional<CGAL::Surface_mesh_cutting::Distortion_measures> distortion; // if there is a report
   std::vector<std::array<double, 2> > trade_offs; // length of the cut over the diagonal, mean energy
   Phase_seconds seconds, cpu_seconds;
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
@@ -253,6 +254,8 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
     return {};
 
   pack(mesh, is_cut, uvs, options, outcome);
+  if(!options.json.empty() || !options.html.empty())
+    outcome.distortion = SMC::distortion_report(mesh, is_cut, uvs);
   Layout layout = make_layout(surface, is_cut, uvs, soup, outcome.uv_scale.value_or(1));
   std::vector<int>& features = layout.feature_points;
   for(const Vertex v : result.feature_points)

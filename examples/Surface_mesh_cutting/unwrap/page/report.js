@@ -111,6 +111,14 @@ function showMeasures() {
   for (const key in names)
     if (report[key] !== null && report[key] !== undefined)
       add(names[key], row => show(row, 'dd', key, typeof report[key] === 'boolean' ? (report[key] ? 'yes' : 'no') : digits(report[key], 6)));
+  const columns = {
+    max_area_distortion: 'Largest area distortion', average_area_discrepancy: 'Average area discrepancy',
+    max_angle_distortion: 'Largest angle distortion', average_angle_discrepancy: 'Average angle discrepancy',
+    min_singular_value: 'Smallest singular value', max_singular_value: 'Largest singular value', resolution: 'Texels per unit of length'};
+  for (const key in columns)
+    if (report.distortion && report.distortion[key] !== null)
+      add(columns[key], row => append(row, 'dd', digits(report.distortion[key], 6),
+                                      {'data-key': 'distortion.' + key, 'data-value': JSON.stringify(report.distortion[key])}));
   add('Seconds in all', row => append(row, 'dd', digits(report.seconds.total), {'data-key': 'seconds.total', 'data-value': JSON.stringify(report.seconds.total)}));
 }
 

@@ -14,9 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Indexed_packing.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
@@ -71,6 +73,11 @@ Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints 
 // Whether a chart consists of disks, and a map given by its corners is proven to be valid.
 CGAL_SURFACE_MESH_CUTTING_INLINE
 Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective);
+
+// The measures of such a map, `resolution` at the scale of the indexed mesh, or why there are none.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+Indexed_status measure_indexed_map(const Indexed_mesh& mesh, const Cut& cut,
+                                   const std::vector<Eigen::Vector2d>& corner_uv, Distortion_measures& measures);
 
 // Moves the parts of a chart into the unit square. `round`: what becomes of a UV when it is handed out and read back.
 template <typename ConcurrencyTag>

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_packer.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>

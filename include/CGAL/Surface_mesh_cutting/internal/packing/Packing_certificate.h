@@ -39,15 +39,6 @@ namespace internal {
 using Surface_mesh_parameterization::internal::Connected_parts;
 using Surface_mesh_parameterization::internal::Corner_table;
 
-// The UVs of the vertices; another check says whether corners disagree.
-inline std::vector<Eigen::Vector2d> vertex_uvs(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv)
-{
-  std::vector<Eigen::Vector2d> uv(chart.number_of_vertices(), Eigen::Vector2d::Zero());
-  for(int h = 0; h < int(corner_uv.size()); ++h)
-    uv[chart.source(h)] = corner_uv[h];
-  return uv;
-}
-
 // A distance between charts, and from the border of the unit square.
 struct Packing_margin
 {

@@ -38,6 +38,17 @@ struct Triangle_stretch
 {
   double area = 0; // on the surface
   double squared_norm = 0, squared_norm_of_inverse = 0;
+
+  // The larger one first; negative if there is no area.
+  Eigen::Vector2d singular_values() const
+  {
+    if(!(area > 0))
+      return Eigen::Vector2d(-1, -1);
+    const double determinant = std::sqrt(squared_norm / squared_norm_of_inverse);
+    const double difference = std::sqrt((std::max)(0., squared_norm - 2 * determinant));
+    const double larger = 0.5 * (std::sqrt(squared_norm + 2 * determinant) + difference);
+    return Eigen::Vector2d(larger, larger > 0 ? determinant / larger : 0);
+  }
 };
 
 // In exact arithmetic, for triangles so thin that rounding spoils their heights. With G and H the Gram matrices
@@ -144,6 +155,22 @@ public:
     }
     result.average = all.value();
     result.average_of_others = others.value();
+    return result;
+  }
+
+  // Of the map of each face, the larger one first; negative where a face has no area.
+  std::vector<Eigen::Vector2d> singular_values(const std::vector<Eigen::Vector2d>& uv) const
+  {
+    std::vector<Eigen::Vector2d> result;
+    for(std::size_t f = 0; f < m_shapes.size(); ++f)
+    {
+      const Triangle& v = m_chart[f];
+      const Wirtinger_derivatives d = wirtinger_derivatives(m_shapes[f], uv[v[0]], uv[v[1]], uv[v[2]]);
+      const double x = d.z.norm(), y = d.conjugate.norm();
+      result.emplace_back(x + y, std::abs(x - y));
+    }
+    for(const Thin_face& face : m_thin)
+      result[face.index] = stretch(face.index, uv).singular_values();
     return result;
   }
 
