@@ -156,7 +156,7 @@ std::vector<double> avoid_view(const Mesh& mesh, Weights weights)
 std::vector<double> avoid_view_from(const Vector_3& direction, const Mesh& mesh, Weights weights)
 {
   const int number_of_rays = 64;
-  const double smallest_factor = 0.1;
+  const double smallest_factor = 0.25;
   SMC::visibility_weights(mesh, weights, number_of_rays, smallest_factor, CGAL::parameters::up_direction(direction));
   return seen_lengths(mesh, direction);
 }

@@ -45,7 +45,7 @@ Weights: what a cut costs, by default its length, times the factors of all --edg
   concave         the same, but 0.6 at sharp convex edges
   straight        0.2 along and across the direction in which the surface bends most, up to 1
                   between them and where it bends alike in all directions
-  visibility      0.1 where the surface hides the edge from all sides, up to 1
+  visibility      0.25 where the surface hides the edge from all sides, up to 1
   occlusion       the same, hidden only by what is within a tenth of the bounding box diagonal
   sky, sky:AXIS   the same, seen from above only; AXIS is x, y (default), z, -x, -y or -z
   colors          0.2 where the red channel of the vertex colors in INPUT is 0, up to 1 where it is

@@ -23,7 +23,7 @@ using Kind = Weight_choice::Kind;
 using Weights = Mesh::Property_map<Edge, double>;
 using Paint = Mesh::Property_map<Vertex, double>;
 
-constexpr double smallest_factor = 0.2, smallest_visibility_factor = 0.1;
+constexpr double smallest_factor = 0.2, smallest_visibility_factor = 0.25;
 
 // What is never cut stays so, also where another file has zero.
 double product(double weight, double factor)

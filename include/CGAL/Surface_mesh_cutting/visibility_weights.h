@@ -159,7 +159,7 @@ inline Indexed_status check_view(const View& view)
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
-                                        int number_of_rays = 64, double smallest_factor = 0.1,
+                                        int number_of_rays = 64, double smallest_factor = 0.25,
                                         const NamedParameters& np = parameters::default_values())
 {
   const internal::View view = internal::read_view(number_of_rays, np);
