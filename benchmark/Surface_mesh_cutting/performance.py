@@ -3,8 +3,9 @@
 
 Runs alternate between the numbers of threads, one process at a time, and the table holds medians; nothing else should
 run on the machine. `all` is the whole process, reading and writing included; `processor` is the time of all threads
-in it. `speedup` compares `all` with that of the first number of threads. The last lines give the exponent of `all`
-against the number of triangles, if the meshes differ in size.
+in it. `solves` is how many factorizations for a map of the whole surface have as many unknowns as those of the run;
+`speedup` compares `all` with that of the first number of threads. The last lines give the exponent of `all` against
+the number of triangles, if the meshes differ in size.
 """
 import argparse
 import json
@@ -51,6 +52,7 @@ def row(name, threads, results, first_seconds):
     cells = [name, str(results[0]["faces"]), str(threads), *(f"{phase:.2f}" for phase in phases), f"{seconds:.2f}",
              f"{median(results, lambda result: result['processor']):.2f}",
              f"{median(results, lambda result: result['peak_memory_mb']):.0f}",
+             f"{results[0]['factorized_unknowns']['total'] / (2 * results[0]['vertices']):.1f}",
              f"{(first_seconds or seconds) / seconds:.2f}"]
     return cells, seconds
 
@@ -80,7 +82,7 @@ def main():
     command = [arguments.program, "--effort", arguments.effort]
     points = {threads: [] for threads in arguments.threads}
     differing = []
-    print_row(["mesh", "triangles", "threads", *PHASES, "all", "processor", "MB", "speedup"])
+    print_row(["mesh", "triangles", "threads", *PHASES, "all", "processor", "MB", "solves", "speedup"])
     with tempfile.TemporaryDirectory() as folder:
         for mesh in arguments.meshes:
             results = {threads: [] for threads in arguments.threads}

@@ -18,8 +18,8 @@ TIME_LIMIT = 60  # seconds, of any run
 PHASES = ["candidates", "filter", "connect", "refine", "parameterize", "total"]
 KEYS = ["status", "message", "warnings", "witness", "vertices", "faces", "polygons", "interpreted",
         "components", "genus", "borders", "candidates", "features", "auxiliary", "cut_length", "cut_cost", "cut_lower_bound",
-        "optimal", "E_iso", "E_max", "flips", "overlaps", "charts", "uv_scale", "fill", "distortion", "tradeoff", "seconds", "cpu_seconds",
-        "threads", "seed", "effort", "solver", "peak_memory_mb"]
+        "optimal", "E_iso", "E_max", "flips", "overlaps", "charts", "uv_scale", "fill", "distortion", "tradeoff", "seconds",
+        "cpu_seconds", "factorized_unknowns", "threads", "seed", "effort", "solver", "peak_memory_mb"]
 STATUS = {0: "done", 2: "usage", 3: "unreadable", 4: "unsupported", 5: "failed", 6: "stopped",
           7: "bound_not_reached"}
 
@@ -69,6 +69,7 @@ class Case(unittest.TestCase):
         self.assertEqual(list(report), KEYS)
         self.assertEqual(list(report["seconds"]), PHASES)
         self.assertEqual(list(report["cpu_seconds"]), PHASES)
+        self.assertEqual(list(report["factorized_unknowns"]), PHASES)
         self.assertEqual(report["status"], STATUS[run.returncode])
         self.assertIsInstance(report["message"], str)
         self.assertIsInstance(report["warnings"], list)

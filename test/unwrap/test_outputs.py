@@ -115,6 +115,9 @@ class Outputs(Case):
         for key in ("cut_length", "E_iso", "E_max", "uv_scale", "fill", "peak_memory_mb"):
             self.assertGreater(report[key], 0, key)
         self.assertGreater(report["seconds"]["total"], 0)
+        # At least one map of the whole surface.
+        self.assertGreaterEqual(report["factorized_unknowns"]["total"], 2 * report["vertices"])
+        self.assertGreaterEqual(report["factorized_unknowns"]["parameterize"], 2 * report["vertices"])
         page = Path(__file__).parents[2] / "examples/Surface_mesh_cutting/unwrap/README.md"
         for key in (*report, *report["seconds"]):
             self.assertIn(f"`{key}`", page.read_text())
@@ -273,7 +276,7 @@ class Outputs(Case):
     def test_same_bytes_every_time(self):
         def run(*arguments):
             report = self.successful_report(*ALL_OUTPUTS, *arguments)
-            for key in ("seconds", "cpu_seconds", "peak_memory_mb", "threads", "message"):
+            for key in ("seconds", "cpu_seconds", "factorized_unknowns", "peak_memory_mb", "threads", "message"):
                 del report[key]
             return report, [(self.folder / name).read_bytes() for name in self.files()]
         first = run("--threads", "2")

@@ -27,6 +27,13 @@ Json to_json(const Phase_seconds& seconds)
           {"parameterize", to_json(seconds.parameterize)}, {"total", to_json(seconds.total)}};
 }
 
+Json to_json(const CGAL::Surface_mesh_cutting::Phase_counts& counts)
+{
+  return {{"candidates", counts.candidates}, {"filter", counts.filter},
+          {"connect", counts.connect},       {"refine", counts.refine},
+          {"parameterize", counts.parameterize}, {"total", counts.total}};
+}
+
 Json to_json(const Witness& witness)
 {
   switch(witness.kind)
@@ -125,6 +132,7 @@ std::string to_json(const Outcome& outcome)
     {"tradeoff", outcome.trade_offs},
     {"seconds", to_json(outcome.seconds)},
     {"cpu_seconds", to_json(outcome.cpu_seconds)},
+    {"factorized_unknowns", to_json(outcome.factorized_unknowns)},
     {"threads", to_json(outcome.threads)},
     {"seed", to_json(outcome.seed)},
     {"effort", to_json(outcome.effort)},

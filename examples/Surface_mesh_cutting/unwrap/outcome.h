@@ -7,6 +7,7 @@
 #include "Surface.h"
 
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
+#include <CGAL/Surface_mesh_cutting/Phase_counts.h>
 
 #include <array>
 #include <cstdint>
@@ -74,6 +75,7 @@ struct Outcome
   std::optional<CGAL::Surface_mesh_cutting::Distortion_measures> distortion; // if there is a report
   std::vector<std::array<double, 2> > trade_offs; // length of the cut over the diagonal, mean energy
   Phase_seconds seconds, cpu_seconds;
+  CGAL::Surface_mesh_cutting::Phase_counts factorized_unknowns;
 
   std::optional<int> threads;
   std::optional<std::uint32_t> seed;

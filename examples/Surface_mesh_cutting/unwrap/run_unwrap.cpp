@@ -140,6 +140,7 @@ void tell(const Result& result, const Surface& surface, bool is_like_soup, Outco
   outcome.borders = result.borders;
   outcome.seconds = phase_seconds(result.seconds);
   outcome.cpu_seconds = phase_seconds(result.cpu_seconds);
+  outcome.factorized_unknowns = result.factorized_unknowns;
   if(!outcome.has_result)
     return;
   outcome.candidates = result.number_of_candidates;

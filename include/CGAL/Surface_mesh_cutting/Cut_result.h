@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Phase_counts.h>
 #include <CGAL/Surface_mesh_cutting/Phase_times.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
@@ -67,6 +68,10 @@ struct Cut_result
 
   Phase_times seconds;     ///< wall time.
   Phase_times cpu_seconds; ///< processor time of all threads.
+  /// the sum, over all numeric factorizations of linear systems, of their numbers of unknowns, which does not depend on
+  /// the machine. One factorization for a map of the whole surface counts about two per vertex. With `Parallel_tag`,
+  /// more may be tried at a time and then be discarded, and the phases of different components overlap.
+  Phase_counts factorized_unknowns;
 
   /// `true` iff everything requested was computed.
   explicit operator bool() const { return bool(status); }

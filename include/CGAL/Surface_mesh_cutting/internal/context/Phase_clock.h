@@ -14,9 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Phase_counts.h>
 #include <CGAL/Surface_mesh_cutting/Phase_times.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
+#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <mutex>
@@ -25,28 +27,36 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Adds up wall and CPU time (of all threads) per phase. Several threads may measure; phases that run at
-// the same time then have the CPU time of both.
+// Adds up wall and CPU time (of all threads) and the unknowns of the systems that are factorized per phase. Several
+// threads may measure; phases that run at the same time then have the CPU time and the unknowns of both.
 class Phase_clock
 {
-  struct Moment { double wall, cpu; };
+  struct Moment
+  {
+    double wall, cpu;
+    long long unknowns;
+  };
 
 public:
   Phase_clock() : m_total_start(now()) {}
+
+  // For the solvers to add to.
+  std::atomic<long long>& unknowns() { return m_unknowns; }
 
   // Measures a phase as long as it lives.
   class Measurement
   {
   public:
-    Measurement(Phase_clock& clock, Phase phase) : m_clock(clock), m_phase(phase), m_start(now()) {}
+    Measurement(Phase_clock& clock, Phase phase) : m_clock(clock), m_phase(phase), m_start(clock.now()) {}
     Measurement(const Measurement&) = delete;
     Measurement& operator=(const Measurement&) = delete;
     ~Measurement()
     {
-      const Moment end = now();
+      const Moment end = m_clock.now();
       const std::lock_guard<std::mutex> lock(m_clock.m_mutex);
       share(m_clock.m_wall, m_phase) += end.wall - m_start.wall;
       share(m_clock.m_cpu, m_phase) += end.cpu - m_start.cpu;
+      share(m_clock.m_counts, m_phase) += end.unknowns - m_start.unknowns;
     }
 
   private:
@@ -57,35 +67,42 @@ public:
 
   Phase_times wall() const { return with_total(m_wall, now().wall - m_total_start.wall); }
   Phase_times cpu() const { return with_total(m_cpu, now().cpu - m_total_start.cpu); }
+  Phase_counts factorized_unknowns() const { return with_total(m_counts, now().unknowns); }
 
 private:
-  static Moment now()
+  Moment now() const
   {
     const auto wall = std::chrono::steady_clock::now().time_since_epoch();
-    return {std::chrono::duration<double>(wall).count(), double(std::clock()) / CLOCKS_PER_SEC};
+    return {std::chrono::duration<double>(wall).count(), double(std::clock()) / CLOCKS_PER_SEC,
+            m_unknowns};
   }
 
-  static double& share(Phase_times& times, Phase phase)
+  // Of `Phase_times` or `Phase_counts`.
+  template <typename Sums>
+  static decltype(Sums::total)& share(Sums& sums, Phase phase)
   {
     switch(phase)
     {
-    case Phase::CANDIDATES: return times.candidates;
-    case Phase::FILTER:     return times.filter;
-    case Phase::CONNECT:    return times.connect;
-    case Phase::REFINE:     return times.refine;
-    default:                return times.parameterize;
+    case Phase::CANDIDATES: return sums.candidates;
+    case Phase::FILTER:     return sums.filter;
+    case Phase::CONNECT:    return sums.connect;
+    case Phase::REFINE:     return sums.refine;
+    default:                return sums.parameterize;
     }
   }
 
-  static Phase_times with_total(Phase_times times, double total)
+  template <typename Sums, typename Total>
+  static Sums with_total(Sums sums, Total total)
   {
-    times.total = total;
-    return times;
+    sums.total = total;
+    return sums;
   }
 
-  std::mutex m_mutex; // of the two sums
+  std::atomic<long long> m_unknowns{0};
+  std::mutex m_mutex; // of the sums
   Moment m_total_start;
   Phase_times m_wall, m_cpu;
+  Phase_counts m_counts;
 };
 
 } // namespace internal

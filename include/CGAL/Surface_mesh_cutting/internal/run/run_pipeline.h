@@ -21,11 +21,13 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Counted_solver_source.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #include <CGAL/Default.h>
 
 #include <functional>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -119,9 +121,11 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
   const auto adapter = make_adapter();
   using Adapter = std::decay_t<decltype(adapter)>;
   Cutting_parameters parameters = read_cutting_parameters(np);
-  parameters.linear_solvers = Surface_mesh_parameterization::internal::make_linear_solver_source(
-    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control,
-    Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>());
+  using namespace Surface_mesh_parameterization::internal;
+  parameters.linear_solvers = std::make_shared<Counted_solver_source>(
+    make_linear_solver_source(choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control,
+                              execution_of<ConcurrencyTag>()),
+    clock.unknowns());
 
   Indexed_status status = adapter.status();
   if(status)
@@ -139,6 +143,7 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
   result.status = adapter.translate(status);
   result.seconds = clock.wall();
   result.cpu_seconds = clock.cpu();
+  result.factorized_unknowns = clock.factorized_unknowns();
   return result;
 }
 
