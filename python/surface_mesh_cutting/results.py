@@ -84,7 +84,7 @@ class FeatureResult(SurfaceResult):
     feature_points : numpy.ndarray of int64, shape (k,)
         Points that a cut must reach so that the surface flattens with low distortion.
     number_of_candidates : int
-        Of how many they were chosen.
+        Local maximizers of distortion among which most of them were found.
     bounding_box_diagonal : float
         In units of the mesh.
     seconds, cpu_seconds : dict of str to float
