@@ -38,8 +38,7 @@ def test_time_limit():
 
 def test_progress():
     thread, calls = threading.get_ident(), []
-    smc.unwrap(*meshes.sphere(5), effort="best", time_limit=60,
-               progress=lambda phase, fraction: calls.append((phase, fraction, threading.get_ident())))
+    smc.unwrap(*LARGE, progress=lambda phase, fraction: calls.append((phase, fraction, threading.get_ident())))
     assert calls and {call[2] for call in calls} == {thread}
     assert {call[0] for call in calls} <= {"candidates", "filter", "connect", "refine", "parameterize"}
     assert all(0 <= fraction <= 1 for _, fraction, _ in calls)

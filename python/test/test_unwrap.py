@@ -142,7 +142,7 @@ def test_interpreted():
     alone = np.arange(faces.size).reshape(faces.shape)
     welded = smc.unwrap(soup, alone)
     assert welded.components == 1 and welded.interpreted[0].what == "welded_vertices"
-    assert smc.unwrap(soup, alone, weld="off").components == len(faces)
+    assert smc.greedy_cut(soup, alone, weld="off").components == len(faces)
     # Any of the points at one place names it.
     first = [int(np.flatnonzero((soup == point).all(axis=1))[0]) for point in soup[alone[0, :2]]]
     last = [int(np.flatnonzero((soup == point).all(axis=1))[-1]) for point in soup[alone[0, :2]]]
