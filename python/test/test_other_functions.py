@@ -1,5 +1,6 @@
 """Connections, handles, charts, certificates and Steiner trees, against what is known or found by brute force."""
 
+import doctest
 import itertools
 
 import numpy as np
@@ -7,6 +8,12 @@ import pytest
 
 import meshes
 import surface_mesh_cutting as smc
+
+
+def test_documentation():
+    assert doctest.testmod(smc).failed == 0
+    for name in smc.__all__:
+        assert getattr(smc, name).__doc__
 
 
 def test_connect_points():
