@@ -46,7 +46,7 @@ class SurfaceOptions(RunOptions, total=False):
         Whether points at exactly the same place count as one; by default where no two faces share a point.
     strict : bool
         Whether to refuse what is otherwise interpreted: polygons, places that are not manifold, inconsistent
-        orientation, degenerate and duplicate faces. Default: `False`.
+        orientation, degenerate and duplicate faces. Points are then not welded. Default: `False`.
     """
 
     weld: Literal["auto", "on", "off"]
