@@ -55,17 +55,21 @@ def test_cut_handles():
 
 
 def test_certificates():
-    points, faces = meshes.sphere(2)
+    points, faces = meshes.sphere(3)
     result = smc.unwrap(points, faces)
     good = smc.certify_unwrap(points, faces, result.corner_uv)
     assert good and good.finding.status == "ok"
     flipped = smc.certify_unwrap(points, faces, result.corner_uv * [-1, 1])
     assert not flipped and flipped.finding.status == "not_certified"
     assert len(flipped.finding.elements) == len(faces)
+    inside = int(np.flatnonzero(~np.isin(faces, result.cut_edges).any(axis=1))[0])  # a face away from the cut
     moved = result.corner_uv.copy()
-    moved[5] += 10  # apart from its neighbors: an annulus remains, or one triangle
-    assert smc.certify_unwrap(points, faces, moved).finding.status in ("not_cut_to_disks", "ok")
-    moved[5] = np.nan
+    moved[inside] += 10  # a ring remains
+    assert smc.certify_unwrap(points, faces, moved).finding.status == "not_cut_to_disks"
+    moved = result.corner_uv.copy()
+    moved[inside] = moved[inside, ::-1]
+    assert not smc.certify_unwrap(points, faces, moved)
+    moved[inside] = np.nan
     assert not smc.certify_unwrap(points, faces, moved)
     for wrong in (result.corner_uv[:-1], result.corner_uv.reshape(-1, 2), result.uv):
         with pytest.raises(ValueError, match="corner_uv must have shape"):
