@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs from Debian what is missing:
-#   scripts/install_dependencies.sh [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|ci]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -13,6 +13,8 @@ for purpose in "$@"; do
     build) wanted+=(g++ cmake make ninja-build libcgal-dev libeigen3-dev libboost-dev
                     libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libtinygltf-dev libjs-three) ;;
     test)  wanted+=(libopenmesh-dev python3 chromium) ;;
+    python) wanted+=(python3-dev pybind11-dev python3-numpy python3-pytest python3-matplotlib
+                     python3-pip python3-setuptools python3-wheel python3-venv) ;;
     corpus) wanted+=(parallel python3) ;;
     cluster) wanted+=(parallel python3 slurmctld slurmd slurm-client munge openssh-client openssh-server) ;;
     evaluation) wanted+=(python3 gnuplot-nox) ;;
@@ -20,7 +22,7 @@ for purpose in "$@"; do
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
     ci)    wanted+=(clang) ;;
-    *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;
   esac
 done
 

@@ -1,0 +1,100 @@
+# Copyright (c) 2026 The Surface_mesh_cutting authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Packing and certificates of maps."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional, cast
+
+from . import _arrays, _extension
+from .errors import error_of, to_finding
+from .options import INT_MAX, SurfaceOptions, flag, integer, read, real
+from .results import Certificate, PackingResult, make
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from typing_extensions import Unpack
+
+
+def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offsets: Optional[ArrayLike] = None, *,
+                margin: float = 2, texture_size: int = 1024, bijective: bool = True,
+                **options: Unpack[SurfaceOptions]) -> PackingResult:
+    """Move charts into the unit square: turn and translate each one, and scale all by the same factor.
+
+    The surface is cut where the UVs of neighbors differ. All triangles must be counterclockwise. Ctrl-C is handled as by
+    `unwrap`.
+
+    Parameters
+    ----------
+    points, faces, offsets
+        The surface, as for `unwrap`.
+    corner_uv : array_like of float, shape (m, k, 2) or (c, 2)
+        The UV of each corner.
+    margin, texture_size
+        As for `unwrap`.
+    bijective : bool
+        Whether no chart may overlap itself, either.
+    **options
+        See `SurfaceOptions` and `RunOptions`; `progress` is not called.
+
+    Returns
+    -------
+    PackingResult
+
+    Raises
+    ------
+    InputError
+        Also with ``"infeasible_constraints"``, where the margins leave no room for so many charts.
+    ComputationError
+        With ``"not_certified"`` and the faces that are not counterclockwise or overlap.
+    TypeError, ValueError
+        An argument has the wrong type, shape or range.
+    """
+    call, shape = _arrays.surface(points, faces, offsets)
+    call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
+    call.update(read("pack_charts", SurfaceOptions, options), bijective=flag("bijective", bijective),
+                margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size))
+    found = _extension.pack_charts(call)
+    if found["has_result"]:
+        found["corner_uv"] = found["corner_uv"].reshape(*shape, 2)
+    return cast(PackingResult, make(PackingResult, found))
+
+
+def certify_unwrap(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offsets: Optional[ArrayLike] = None, *,
+                   bijective: bool = True, **options: Unpack[SurfaceOptions]) -> Certificate:
+    """Prove that a surface is unwrapped: cut where the UVs of neighbors differ, it consists of disks, and the map takes each
+    triangle to a strictly counterclockwise one. All decisions are exact.
+
+    Parameters
+    ----------
+    points, faces, offsets
+        The surface, as for `unwrap`.
+    corner_uv : array_like of float, shape (m, k, 2) or (c, 2)
+        The UV of each corner.
+    bijective : bool
+        Whether to prove, too, that no two triangles overlap.
+    **options
+        See `SurfaceOptions`; the proof takes one thread and cannot be stopped.
+
+    Returns
+    -------
+    Certificate
+        `False` as a condition, with the faces concerned, if the map is not valid.
+
+    Raises
+    ------
+    InputError
+        The mesh cannot be served.
+    TypeError, ValueError
+        An argument has the wrong type or shape.
+    """
+    call, shape = _arrays.surface(points, faces, offsets)
+    call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
+    call.update(read("certify_unwrap", SurfaceOptions, options), bijective=flag("bijective", bijective))
+    found = _extension.certify(call)
+    if found["was_interrupted"]:
+        raise KeyboardInterrupt
+    finding = to_finding(found["finding"])
+    if finding.status not in ("ok", "not_certified", "not_cut_to_disks"):
+        raise error_of(finding)
+    return Certificate(finding.status == "ok", finding)

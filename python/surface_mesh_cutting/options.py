@@ -1,0 +1,223 @@
+# Copyright (c) 2026 The Surface_mesh_cutting authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options that several functions share."""
+
+from __future__ import annotations
+
+import operator
+from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping, Optional, Tuple, TypedDict
+
+import numpy as np
+
+from . import _arrays
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+CONNECTIONS = ("best", "exact", "greedy", "shortest_path_heuristic", "metric_closure")
+
+
+class RunOptions(TypedDict, total=False):
+    """How a call is run. `None` stands for the default of any option.
+
+    Parameters
+    ----------
+    threads : int, optional
+        The number of threads; as many as there are processors by default. Results do not depend on it.
+    time_limit : float, optional
+        Seconds after which the run ends with the best result so far; no limit by default.
+    progress : callable, optional
+        Called as ``progress(phase, fraction)`` with the name of a phase (a key of `CutResult.seconds`) and its share
+        that is done, from 0 to 1, at most 50 times a second, by the thread that called the function. If it returns
+        `False`, the run ends as at a time limit; if it raises, the run ends and the exception passes.
+    """
+
+    threads: Optional[int]
+    time_limit: Optional[float]
+    progress: Optional[Callable[[str, float], Any]]
+
+
+class SurfaceOptions(RunOptions, total=False):
+    """How the surface is read.
+
+    Parameters
+    ----------
+    weld : {"auto", "on", "off"}
+        Whether points at exactly the same place count as one; by default where no two faces share a point.
+    strict : bool
+        Whether to refuse what is otherwise interpreted: polygons, places that are not manifold, inconsistent
+        orientation, degenerate and duplicate faces. Points are then not welded. Default: `False`.
+    """
+
+    weld: Literal["auto", "on", "off"]
+    strict: bool
+
+
+class ConstraintOptions(SurfaceOptions, total=False):
+    """What must, must not, or should rather be cut. Edges are pairs of points in any order.
+
+    Parameters
+    ----------
+    mandatory_edges : array_like of int, shape (k, 2), optional
+        Edges that are cut from the start. If they separate the surface, each part is treated on its own.
+    forbidden_edges : array_like of int, shape (k, 2), optional
+        Edges that must not be cut.
+    edge_weights : tuple of array_like, shapes (k, 2) and (k,), optional
+        Edges, and what it costs to cut each of them: a number that is not negative, or infinity. The others cost their
+        length, in units of the mesh. Where an edge is listed twice, its last weight counts.
+    """
+
+    mandatory_edges: Optional[ArrayLike]
+    forbidden_edges: Optional[ArrayLike]
+    edge_weights: Optional[Tuple[ArrayLike, ArrayLike]]
+
+
+class ConnectionOptions(ConstraintOptions, total=False):
+    """How points are connected.
+
+    Parameters
+    ----------
+    connection : {"best", "exact", "greedy", "shortest_path_heuristic", "metric_closure"}
+        ``"exact"``: by a shortest tree; the status is ``"bound_not_reached"`` beyond the budget. ``"best"``: by a
+        shortest tree within the budget, otherwise the best one found. The others are heuristics. Default: ``"best"``,
+        and ``"greedy"`` with ``faithful=True``.
+    maximum_number_of_states : int
+        The budget of the search for a shortest tree, which counts steps so that results are reproducible.
+        Default: 20,000,000.
+    """
+
+    connection: Literal["best", "exact", "greedy", "shortest_path_heuristic", "metric_closure"]
+    maximum_number_of_states: int
+
+
+class CuttingOptions(ConnectionOptions, total=False):
+    """How a cut is found.
+
+    Parameters
+    ----------
+    effort : {"fast", "default", "best"}
+        How much work to spend on a short cut.
+    maximum_average_distortion : float, optional
+        An upper bound, greater than 4, on the area-averaged symmetric Dirichlet energy. The cut grows until the map keeps
+        it; if none does, the status is ``"bound_not_reached"``. No bound by default.
+    terminals : array_like of int, shape (k,), optional
+        Points that the cut must pass through, unless they lie on a border.
+    initial_cut : array_like of int, shape (k, 2), optional
+        Edges of a cut to start from, such as seams drawn by hand. They need not stay.
+    faithful : bool
+        Whether to do what the paper says and nothing else. Default: `False`.
+    minimum_distortion_decrease : float
+        The decrease of the energy that makes a candidate a feature point. Default: 0.01.
+    minimum_length_decrease : float
+        The decrease of the length, in bounding box diagonals, that makes an auxiliary point worth adding, with
+        ``faithful=True`` only. Default: 0.01.
+    minimum_area_ratio : float
+        The share of the area that must lie far from the first cut and its maximizers. Default: 0.1.
+    influence_threshold : float
+        The scope, in average edge lengths, above which a candidate is a feature point from the outset. Default: 20.
+    forbidden_radius : float
+        The initial distance, in average edge lengths, of the second cut from the first one. Default: 10.
+    seed : int
+        From 0 to 4294967295, for drawing the start vertex. Default: 0.
+    """
+
+    effort: Literal["fast", "default", "best"]
+    maximum_average_distortion: Optional[float]
+    terminals: Optional[ArrayLike]
+    initial_cut: Optional[ArrayLike]
+    faithful: bool
+    minimum_distortion_decrease: float
+    minimum_length_decrease: float
+    minimum_area_ratio: float
+    influence_threshold: float
+    forbidden_radius: float
+    seed: int
+
+
+def choice(*names: str) -> Callable[[str, Any], str]:
+    def read(name: str, value: Any) -> str:
+        if not isinstance(value, str):
+            raise TypeError(f"{name} must be a str, not {type(value).__name__}")
+        if value not in names:
+            raise ValueError(f"{name} must be one of {', '.join(map(repr, names))}, not {value!r}")
+        return value
+
+    return read
+
+
+def flag(name: str, value: Any) -> bool:
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} must be a bool, not {type(value).__name__}")
+    return bool(value)
+
+
+def integer(low: int, high: int) -> Callable[[str, Any], int]:
+    def read(name: str, value: Any) -> int:
+        try:
+            number = operator.index(value)
+        except TypeError:
+            raise TypeError(f"{name} must be an integer, not {type(value).__name__}") from None
+        if not low <= number <= high:
+            raise ValueError(f"{name} must be from {low} to {high}, not {number}")
+        return number
+
+    return read
+
+
+def real(name: str, value: Any) -> float:
+    if isinstance(value, str):
+        raise TypeError(f"{name} must be a number, not a str")
+    return float(value)
+
+
+def seconds(name: str, value: Any) -> float:
+    number = real(name, value)
+    if not number > 0:
+        raise ValueError(f"{name} must be greater than 0, not {number}")
+    return number
+
+
+def _callback(name: str, value: Any) -> Callable[[str, float], Any]:
+    if not callable(value):
+        raise TypeError(f"{name} must be callable, not {type(value).__name__}")
+    return value
+
+
+def _terminals(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.int64]]:
+    return _arrays.vector(name, _arrays.indices(name, value))
+
+
+INT_MAX = 2**31 - 1
+_READERS: dict[str, Callable[[str, Any], Any]] = {
+    "threads": integer(1, 4096), "time_limit": seconds, "progress": _callback,
+    "weld": choice("auto", "on", "off"), "strict": flag,
+    "mandatory_edges": _arrays.edges, "forbidden_edges": _arrays.edges, "initial_cut": _arrays.edges,
+    "terminals": _terminals,
+    "connection": choice(*CONNECTIONS), "maximum_number_of_states": integer(0, 2**63 - 1),
+    "effort": choice("fast", "default", "best"), "faithful": flag, "seed": integer(0, 2**32 - 1),
+    **dict.fromkeys(["maximum_average_distortion", "minimum_distortion_decrease", "minimum_length_decrease",
+                     "minimum_area_ratio", "influence_threshold", "forbidden_radius"], real)}
+
+
+def _read_weights(name: str, value: Any) -> dict[str, Any]:
+    try:
+        edges, weights = value
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a pair: edges and their weights") from None
+    pairs = _arrays.edges(name, edges)
+    return {"weighted_edges": pairs, "edge_weights": _arrays.vector(name, _arrays.numbers(name, weights), len(pairs))}
+
+
+def read(function: str, kind: type, options: Mapping[str, Any]) -> dict[str, Any]:
+    """The options of a call, checked and as the extension takes them; `kind` is the class that lists them."""
+    result: dict[str, Any] = {}
+    for name, value in options.items():
+        if name not in kind.__annotations__:
+            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
+        if value is None:
+            continue
+        if name == "edge_weights":
+            result.update(_read_weights(name, value))
+        else:
+            result[name] = _READERS[name](name, value)
+    return result

@@ -1,0 +1,143 @@
+"""What the functions refuse, and how they say so."""
+
+import numpy as np
+import pytest
+
+import meshes
+import surface_mesh_cutting as smc
+
+POINTS, FACES = meshes.sphere(1)
+
+
+@pytest.mark.parametrize("points", [POINTS[:, :2], POINTS.ravel(), POINTS[None], np.zeros((4, 4)), 1.0])
+def test_shapes_of_points(points):
+    with pytest.raises(ValueError, match=r"points must have shape \(n, 3\)"):
+        smc.unwrap(points, FACES)
+
+
+@pytest.mark.parametrize("points", [POINTS.astype(complex), POINTS.astype(str), POINTS.astype(object), POINTS > 0, None])
+def test_types_of_points(points):
+    with pytest.raises(TypeError, match="points must be an array of real numbers"):
+        smc.unwrap(points, FACES)
+
+
+@pytest.mark.parametrize("faces", [FACES.astype(float), FACES.astype(str), FACES > 1, None])
+def test_types_of_faces(faces):
+    with pytest.raises(TypeError, match="faces must be an array of integers"):
+        smc.unwrap(POINTS, faces)
+
+
+def test_shapes_of_faces():
+    for faces in (FACES[None], FACES.ravel()):
+        with pytest.raises(ValueError, match="faces must have shape"):
+            smc.unwrap(POINTS, faces)
+    with pytest.raises(ValueError, match="offsets"):
+        smc.unwrap(POINTS, [[0, 1, 2], [0, 1, 2, 3]])
+    for offsets in ([], [0], [1, FACES.size], [0, 9, 6, FACES.size], [0, FACES.size + 3], [-3, FACES.size]):
+        with pytest.raises(ValueError, match="offsets must increase from 0"):
+            smc.unwrap(POINTS, FACES.ravel(), offsets)
+    with pytest.raises(ValueError):
+        smc.unwrap(POINTS, FACES, [0, FACES.size])
+
+
+@pytest.mark.parametrize("options, error", [
+    (dict(effort="most"), ValueError), (dict(effort=1), TypeError), (dict(weld=True), TypeError),
+    (dict(uv_scale="large"), ValueError), (dict(strict=1), TypeError), (dict(bijective="yes"), TypeError),
+    (dict(threads=0), ValueError), (dict(threads=1.5), TypeError), (dict(seed=-1), ValueError),
+    (dict(seed=2**32), ValueError), (dict(time_limit=0), ValueError), (dict(time_limit=float("nan")), ValueError),
+    (dict(time_limit="1"), TypeError), (dict(progress=3), TypeError), (dict(margin="2"), TypeError),
+    (dict(texture_size=0), ValueError), (dict(texture_size=2**31), ValueError), (dict(terminals=[[1, 2]]), ValueError),
+    (dict(terminals=[1.5]), TypeError), (dict(mandatory_edges=[1, 2]), ValueError),
+    (dict(initial_cut=np.zeros((2, 3), int)), ValueError), (dict(forbidden_edges=[[0.0, 1.0]]), TypeError),
+    (dict(edge_weights=[1.0]), TypeError), (dict(edge_weights=([[0, 2]], [1.0, 2.0])), ValueError),
+    (dict(efort="fast"), TypeError), (dict(output="cut"), TypeError)])
+def test_options(options, error):
+    with pytest.raises(error, match=next(iter(options))) as caught:
+        smc.unwrap(POINTS, FACES, **options)
+    assert not isinstance(caught.value, smc.Error)
+
+
+def refused(*arguments, **options):
+    with pytest.raises(smc.InputError) as caught:
+        smc.unwrap(*arguments, **options)
+    assert str(caught.value) and isinstance(caught.value, ValueError)
+    return caught.value
+
+
+@pytest.mark.parametrize("options, elements", [
+    (dict(maximum_average_distortion=4.0), []), (dict(minimum_area_ratio=1.5), []), (dict(influence_threshold=np.inf), []),
+    (dict(minimum_distortion_decrease=np.nan), []), (dict(margin=-1.0), []), (dict(margin=np.nan), []),
+    (dict(margin=512.0), []), (dict(terminals=[18]), []), (dict(terminals=[-1]), []), (dict(mandatory_edges=[[0, 99]]), []),
+    (dict(mandatory_edges=[[1, 0], [0, 6]]), [[0, 1]]), (dict(forbidden_edges=[[5, 5]]), [[5, 5]]),
+    (dict(edge_weights=([[0, 6]], [-1.0])), [[0, 6]]), (dict(edge_weights=([[6, 0]], [np.nan])), [[0, 6]])])
+def test_parameters(options, elements):
+    error = refused(POINTS, FACES, **options)
+    assert error.status == "wrong_parameter"
+    assert error.elements.tolist() == elements
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_coordinates(value):
+    points = POINTS.copy()
+    points[[3, 11], 1] = value
+    error = refused(points, FACES)
+    assert (error.status, error.kind, error.elements.tolist()) == ("invalid_point", "vertices", [3, 11])
+
+
+@pytest.mark.parametrize("index", [len(POINTS), -1, 2**31, 2**32, -2**63, 2**63 - 1])
+def test_indices(index):
+    faces = FACES.copy()
+    faces[[4, 6], 2] = index
+    error = refused(POINTS, faces)
+    assert (error.status, error.kind, error.elements.tolist()) == ("wrong_parameter", "faces", [4, 6])
+
+
+@pytest.mark.parametrize("faces", [[], np.zeros((0, 3), int), np.zeros((0, 7), int), [[0, 0, 1]], np.zeros((3, 0), int)])
+@pytest.mark.parametrize("points", [POINTS, POINTS[:2]])
+def test_empty(points, faces):
+    assert refused(points, faces).status == "empty_mesh"
+
+
+def test_no_points():
+    assert refused([], []).status == "empty_mesh"
+    assert refused(np.zeros((0, 3)), FACES).status == "wrong_parameter"
+    assert refused([], [], [0]).status == "empty_mesh"
+
+
+@pytest.mark.parametrize("exponent", [-1000, -500, 500, 1000])
+def test_extreme_scales(exponent):
+    """A power of two changes no digit."""
+    usual, extreme = smc.unwrap(POINTS, FACES), smc.unwrap(POINTS * 2.0**exponent, FACES)
+    assert extreme.uv.tobytes() == usual.uv.tobytes()
+    assert extreme.average_distortion == usual.average_distortion
+    assert extreme.cut_length == usual.cut_length * 2.0**exponent
+    assert any("extreme" in warning.message for warning in extreme.warnings)
+
+
+def test_too_many():
+    try:
+        faces = np.zeros((3, 2**31 // 9 + 1), np.int64)  # memory that nobody touches
+    except MemoryError:
+        pytest.skip("not enough address space")
+    assert "more than" in str(refused(POINTS, faces))
+
+
+def test_infeasible():
+    everything = meshes.edges(FACES)
+    error = refused(POINTS, FACES, forbidden_edges=everything)
+    assert error.status == "infeasible_constraints" and error.kind == "edges"
+    points, faces = meshes.sphere(0)
+    error = refused(points, faces, mandatory_edges=meshes.edges(faces), margin=500.0)
+    assert error.status == "infeasible_constraints" and "texture_size" in str(error)
+
+
+def test_strict():
+    faces = np.concatenate([FACES, FACES[:1]])
+    error = refused(POINTS, faces, strict=True)
+    assert (error.status, error.elements.tolist()) == ("non_manifold", [len(FACES)])
+    assert smc.unwrap(POINTS, FACES, strict=True).status == "ok"
+
+
+def test_errors_are_apart():
+    assert issubclass(smc.InputError, smc.Error) and issubclass(smc.StoppedError, smc.Error)
+    assert issubclass(smc.ComputationError, RuntimeError)
