@@ -55,7 +55,6 @@ def main():
     print("mesh,triangles,program,module,overhead,own")
     for mesh in arguments.meshes:
         points, faces = read_off(mesh)
-        faces = np.ascontiguousarray(np.roll(faces, 1, axis=1))  # as a CGAL::Surface_mesh begins them
         seconds = []
         with tempfile.TemporaryDirectory() as folder:
             for _ in range(arguments.repetitions):

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/begin_triangles_with_last_corner.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 
@@ -52,6 +53,7 @@ public:
     if(!m_status)
       return;
     m_surface = read_soup(coordinates, soup, do_weld);
+    begin_triangles_with_last_corner(m_surface);
     if(m_surface.polygons.number() == 0)
       m_status = Indexed_status(Status_code::EMPTY_MESH, "no polygon is part of a surface");
     else
