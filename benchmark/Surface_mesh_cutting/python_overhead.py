@@ -27,7 +27,7 @@ def read_off(path):
     points, faces = int(words[1]), int(words[2])
     end = 4 + 3 * points
     return (np.array(words[4:end], float).reshape(-1, 3),
-            np.array(words[end:end + 4 * faces], np.int64).reshape(-1, 4)[:, 1:])
+            np.ascontiguousarray(np.array(words[end:end + 4 * faces], np.int64).reshape(-1, 4)[:, 1:]))
 
 
 def time_program(program, mesh, effort, folder):
