@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs from Debian what is missing:
-#   scripts/install_dependencies.sh [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|corpus|cluster|evaluation|sanitize|doc|figures|blender|ci]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -19,8 +19,9 @@ for purpose in "$@"; do
     sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
+    blender) wanted+=(blender xvfb xauth libgl1-mesa-dri python3) ;;
     ci)    wanted+=(clang ninja-build) ;;
-    *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|corpus|cluster|evaluation|sanitize|doc|figures|blender|ci]..." >&2; exit 2 ;;
   esac
 done
 
