@@ -8,7 +8,7 @@ import bpy
 from . import messages, preferences, write_back
 from .command import Refusal
 from .settings import UnwrapSettings
-from .surface import Surface, mesh_size, read_part
+from .surface import Surface, read_part
 from .task import POLLING_TIME, Task
 
 # The view may be turned and moved during a run.
@@ -31,7 +31,7 @@ def _read_surfaces(context, settings):
         raise Refusal("No face is selected" if only_selected else "The selected objects have no faces")
     for part in parts:
         if not write_back.has_place(part.object.data, settings.target):
-            raise Refusal(f'"{part.object.name}" has {write_back.MAXIMUM_LAYERS} UV maps: remove one')
+            raise Refusal(f'"{part.name}" has {write_back.MAXIMUM_LAYERS} UV maps: remove one')
     return [Surface(parts)] if settings.is_shared else [Surface([part]) for part in parts]
 
 
@@ -133,7 +133,7 @@ class UV_OT_unwrap_with_shortest_cuts(UnwrapSettings, bpy.types.Operator):
 
     def _finish(self, context):
         results = self._task.results
-        if any(mesh_size(part.object.data) != part.mesh_size for r in results for part in r.surface.parts):
+        if not all(part.is_up_to_date() for result in results for part in result.surface.parts):
             self.report({'ERROR'}, "A mesh has changed in the meantime: unwrap again")
             return {'CANCELLED'}
         done = [result for result in results if result.corner_uvs is not None]

@@ -11,7 +11,7 @@ import numpy as np
 class Part:
     """The faces of one mesh. Elements are numbered anew, from 0 and without gaps, in the order of the mesh."""
 
-    object: bpy.types.Object
+    name: str  # of the object
     mesh_size: tuple  # see mesh_size()
     # Indices in the mesh, for each of the part's own.
     faces: np.ndarray
@@ -28,6 +28,15 @@ class Part:
     is_sharp: np.ndarray
     is_inside: np.ndarray  # whether all faces of the edge belong to the part
 
+    @property
+    def object(self):
+        """The object, or None if it is gone. What Blender hands out does not survive an undo in another window."""
+        return bpy.data.objects.get((self.name, None))
+
+    def is_up_to_date(self):
+        """Whether the indices still mean the same."""
+        return self.object is not None and mesh_size(_present_mesh(self.object)) == self.mesh_size
+
 
 def values(collection, name, dtype, width=1):
     """The property `name` of all elements of a collection of Blender, one row for each if `width` is above 1."""
@@ -39,6 +48,13 @@ def values(collection, name, dtype, width=1):
 def mesh_size(mesh):
     """The numbers of elements: as long as they stay, indices mean the same."""
     return len(mesh.vertices), len(mesh.edges), len(mesh.loops), len(mesh.polygons)
+
+
+def _present_mesh(object):
+    """The mesh, in edit mode as it is being edited."""
+    if object.mode == 'EDIT':
+        object.update_from_editmode()
+    return object.data
 
 
 def _ranges(starts, sizes):
@@ -55,9 +71,7 @@ def _in_world(object, points):
 
 def read_part(object, only_selected):
     """The selected faces of the mesh of `object`, or all. In edit mode, those of the mesh as it is being edited."""
-    mesh = object.data
-    if object.mode == 'EDIT':
-        object.update_from_editmode()
+    mesh = _present_mesh(object)
     sizes = values(mesh.polygons, "loop_total", np.int32)
     starts = values(mesh.polygons, "loop_start", np.int32)
     is_chosen = values(mesh.polygons, "select", bool) if only_selected else np.ones(len(sizes), bool)
@@ -69,7 +83,7 @@ def read_part(object, only_selected):
     new_vertex = np.full(len(mesh.vertices), -1)
     new_vertex[vertices] = np.arange(len(vertices))
     return Part(
-        object=object, mesh_size=mesh_size(mesh), faces=faces, corners=corners, vertices=vertices, edges=edges,
+        name=object.name, mesh_size=mesh_size(mesh), faces=faces, corners=corners, vertices=vertices, edges=edges,
         points=_in_world(object, values(mesh.vertices, "co", np.float32, 3)[vertices].astype(np.float64)),
         face_sizes=sizes[faces], corner_vertices=corner_vertices, corner_edges=corner_edges,
         edge_vertices=new_vertex[values(mesh.edges, "vertices", np.int32, 2)[edges]],

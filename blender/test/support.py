@@ -4,6 +4,7 @@
 Tests run in Blender: scripts/test_blender.sh."""
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -47,12 +48,25 @@ def add_monkey():
 
 
 def add_sphere(name="Sphere", radius=1.0, location=(0, 0, 0)):
-    """Quads, with triangles at both ends of the z axis. No two axes are alike, so that results have no ties."""
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8, radius=radius, location=location, calc_uvs=False)
-    sphere = bpy.context.object
-    sphere.name = name
-    points = array(sphere.data.vertices, "co", 3) * (1, 1.25, 1.5)
-    sphere.data.vertices.foreach_set("co", points.ravel())
+    """Quads, with triangles at both ends of the z axis. No two axes are alike, so that results have no ties. (That of
+    Blender has its faces in another order every time.)"""
+    segments, rings = 16, 8
+    points = [(0, 0, -1.5 * radius), (0, 0, 1.5 * radius)]
+    for ring in range(1, rings):
+        height = math.pi * (ring / rings - 0.5)
+        for segment in range(segments):
+            angle = 2 * math.pi * segment / segments
+            points.append((radius * math.cos(height) * math.cos(angle), 1.25 * radius * math.cos(height) * math.sin(angle),
+                           1.5 * radius * math.sin(height)))
+    faces = []
+    for i in range(segments):
+        j = (i + 1) % segments
+        lowest, highest = 2, 2 + segments * (rings - 2)
+        faces += [(0, lowest + j, lowest + i), (1, highest + i, highest + j)]
+        faces += [(a + i, a + j, a + segments + j, a + segments + i) for a in range(lowest, highest, segments)]
+    sphere = add_mesh(name, points, faces)
+    sphere.location = location
+    bpy.context.view_layer.update()
     return sphere
 
 

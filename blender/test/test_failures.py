@@ -7,7 +7,7 @@ from pathlib import Path
 
 import bpy
 
-from support import Case, add_mesh, add_sphere, preferences, select, set_mode, snapshot, unwrap
+from support import ADDON, PROGRAM, Case, add_mesh, add_sphere, preferences, select, set_mode, snapshot, unwrap
 
 SELECTION = tuple((kind, "select") for kind in ("vertices", "edges", "polygons"))
 
@@ -89,6 +89,15 @@ class Failures(Case):
         before = snapshot(sphere)
         self.assert_refused("margin must be less", margin=40, texture_size=64)
         self.assert_unchanged(sphere, before)
+
+    def test_removed_and_installed_again(self):
+        bpy.ops.preferences.addon_disable(module=ADDON)
+        self.assertFalse(hasattr(bpy.types, "UV_OT_unwrap_with_shortest_cuts"))
+        bpy.ops.preferences.addon_enable(module=ADDON)
+        self.assertEqual(preferences().program, "unwrap")
+        preferences().program = PROGRAM
+        add_sphere()
+        self.assertEqual(unwrap(), {'FINISHED'})
 
     def test_missing_program(self):
         add_sphere()
