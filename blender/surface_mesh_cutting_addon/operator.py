@@ -113,13 +113,15 @@ class UV_OT_unwrap_with_shortest_cuts(UnwrapSettings, bpy.types.Operator):
             return {'PASS_THROUGH'}
         if event.type != 'TIMER':
             return {'RUNNING_MODAL'}
-        if self._task.advance():
-            self._show_progress(context)
-            return {'RUNNING_MODAL'}
+        is_running = False
         try:
-            return self._finish(context)
+            is_running = self._task.advance()
+            return {'RUNNING_MODAL'} if is_running else self._finish(context)
         finally:
-            self.cancel(context)
+            if is_running:
+                self._show_progress(context)
+            else:
+                self.cancel(context)
 
     def cancel(self, context):
         """Leaves nothing behind. Blender calls this too when it ends."""

@@ -97,6 +97,19 @@ def check_result_and_undo():
     assert len(bpy.context.object.data.polygons) == 20 * 4 ** 5
 
 
+def check_repetition():
+    """As Adjust Last Operation does: without the dialog, and done when the call returns."""
+    yield from start(effort='fast')
+    yield from wait(lambda: layers() == 1)
+    support.mark_seams(bpy.context.object.data, set())
+    with in_view():
+        bpy.ops.screen.repeat_last()
+    assert not is_running()
+    assert support.seams_of(bpy.context.object.data)
+    undo()  # the repetition is no step of its own when a script calls it
+    yield from wait(lambda: layers() == 0)
+
+
 def check_escape_keeps_nothing():
     support.preferences().on_escape = 'NOTHING'
     yield from start(effort='best')
@@ -127,7 +140,7 @@ def wait_some_time():
 
 
 def steps():
-    for check in (check_result_and_undo, check_escape_keeps_nothing, check_escape_keeps_the_best):
+    for check in (check_result_and_undo, check_repetition, check_escape_keeps_nothing, check_escape_keeps_the_best):
         begin = time.monotonic()
         yield from check()
         print(f"{check.__name__}: {time.monotonic() - begin:.1f} s", flush=True)

@@ -13,8 +13,8 @@ import bpy  # noqa: E402
 
 import support  # noqa: E402
 
-WIDTH, HEIGHT = 760, 330  # pixels
-SAMPLES = 96
+WIDTH, HEIGHT = 640, 280  # pixels
+SAMPLES = 200
 SQUARES = 32  # along a side of the unit square
 SEAM_RADIUS = 0.012
 LAYOUT_SIZE = 2.9
