@@ -36,10 +36,9 @@ def _constrain(surface, settings, folder):
 def _weigh(surface, settings, folder):
     """The arguments for edges that cost less than their length."""
     arguments = []
-    if settings.sharp:
-        arguments += ["--edge-weights", "crease"]
-    if settings.hidden:
-        arguments += ["--edge-weights", "visibility"]
+    for is_wanted, word in ((settings.sharp, "crease"), (settings.hidden, "visibility"), (settings.straight, "straight")):
+        if is_wanted:
+            arguments += ["--edge-weights", word]
     if settings.marked_sharp and surface.is_sharp.any():
         files.write_edge_factors(folder / "sharp.txt", surface.edge_vertices[surface.is_sharp], SHARP_FACTOR)
         arguments += ["--edge-weights", "sharp.txt"]

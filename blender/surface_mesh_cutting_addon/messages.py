@@ -7,6 +7,7 @@ NO_PROGRAM = ("The program unwrap was not found: build it, and set its path in t
               "or put its folder on PATH")
 
 _ADVICE = {
+    2: "The program is of another version than the add-on: build both again",
     3: "This is a defect of the add-on",
     4: "Repair what is selected, or ask for less: fewer seams to keep, a smaller vertex group",
     5: "Try Allow Overlaps, or another effort",

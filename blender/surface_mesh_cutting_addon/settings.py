@@ -33,6 +33,9 @@ class UnwrapSettings:
                                description="At edges marked as sharp, seams cost a fifth of their length")
     hidden: BoolProperty(name="Prefer Hidden Places", default=False,
                          description="Where the surface hides itself, seams cost down to a tenth of their length")
+    straight: BoolProperty(name="Prefer Straight Lines", default=False,
+                           description="Along and across the direction in which the surface bends most, seams cost down to a "
+                                       "fifth of their length")
     vertex_group: StringProperty(name="Vertex Group", default="", options={'SKIP_SAVE'},  # other objects have others
                                  description="Vertex group that says where seams are not wanted, or wanted")
     group_use: EnumProperty(
@@ -82,9 +85,10 @@ class UnwrapSettings:
 
         column = layout.column(heading="Where to Cut")
         column.prop(self, "marked_seams")
-        for name in ("sharp", "marked_sharp", "hidden"):
+        for name in ("sharp", "marked_sharp", "hidden", "straight"):
             column.prop(self, name)
-        column.prop_search(self, "vertex_group", context.object, "vertex_groups")
+        if context.object is not None:
+            column.prop_search(self, "vertex_group", context.object, "vertex_groups")
         sub = column.column()
         sub.active = bool(self.vertex_group)
         sub.prop(self, "group_use", text="Seams There")

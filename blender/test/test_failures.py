@@ -108,7 +108,7 @@ class Failures(Case):
         sphere = add_sphere()
         before = snapshot(sphere)
         for text, message in (("exit 0", "Exit code 0 without a message"), ("echo Ouch >&2; exit 9", "Ouch"),
-                              ("kill -SEGV $$", "Exit code -11"), ('echo "{" > report.json; exit 5', "Exit code 5")):
+                              ("exit 2", "of another version"), ("kill -SEGV $$", "Exit code -11"), ('echo "{" > report.json; exit 5', "Exit code 5")):
             with self.subTest(program=text):
                 self.replace_program(text)
                 self.assert_refused(message)

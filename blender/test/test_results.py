@@ -84,6 +84,7 @@ class Results(Case):
                 ({"margin": 16, "texture_size": 256}, ["--margin", "16", "--texture-size", "256"]),
                 ({"sharp": True}, ["--edge-weights", "crease"]),
                 ({"hidden": True}, ["--edge-weights", "visibility"]),
+                ({"sharp": True, "straight": True}, ["--edge-weights", "crease", "--edge-weights", "straight"]),
                 ({"time_limit": 50}, ["--time-limit", "50"])):
             with self.subTest(settings=settings):
                 expected = reference(sphere, *arguments)
