@@ -7,16 +7,13 @@ from pathlib import Path
 
 import bpy
 
-from support import ADDON, PROGRAM, Case, add_mesh, add_sphere, preferences, select, set_mode, snapshot, unwrap
+from support import (ADDON, PROGRAM, Case, add_mesh, add_sphere, preferences, reference, select, set_mode, snapshot,
+                     unwrap)
 
 SELECTION = tuple((kind, "select") for kind in ("vertices", "edges", "polygons"))
 
 
 class Failures(Case):
-    def setUp(self):
-        super().setUp()
-        self.program = preferences().program
-
     def replace_program(self, text):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -122,11 +119,15 @@ class Failures(Case):
         self.assert_unchanged(sphere, before)
 
     def test_bound_that_is_not_reached(self):
-        """What there is gets written. No cut of the program brings this sphere so low."""
+        """No seam may go where it would have to. What there is gets written."""
         sphere = add_sphere()
-        self.replace_program(f'"{self.program}" "$@" && sed -i s/done/bound_not_reached/ report.json; exit 7')
-        self.assertEqual(unwrap(), {'FINISHED'})
-        self.assertEqual(len(sphere.data.uv_layers), 1)
+        upper = {vertex.index for vertex in sphere.data.vertices if vertex.co.z > 1e-6}
+        sphere.vertex_groups.new(name="Upper").add(sorted(upper), 1, 'REPLACE')
+        edges = [tuple(edge.vertices) for edge in sphere.data.edges if upper.issuperset(edge.vertices)]
+        expected = reference(sphere, "--max-distortion", "4.01", "--never-cut", "edges", edges=edges)
+        self.assertEqual(expected.report["status"], "bound_not_reached")
+        self.assertEqual(unwrap(has_bound=True, bound=4.01, vertex_group="Upper", group_use='NEVER'), {'FINISHED'})
+        self.assert_like(sphere, expected)
 
     def test_no_files_stay(self):
         add_sphere()
