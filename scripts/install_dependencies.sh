@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs from Debian what is missing:
-#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|ci]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|ci]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -21,8 +21,9 @@ for purpose in "$@"; do
     sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
+    blender) wanted+=(blender xvfb xauth libgl1-mesa-dri python3) ;;
     ci)    wanted+=(clang) ;;
-    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|ci]..." >&2; exit 2 ;;
   esac
 done
 

@@ -41,7 +41,7 @@ VALUES = {
     "--threads": ["1", "2", "1024"], "--solver": ["eigen"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
 }
 ODD_VALUES = ["", "nan", "inf", "-1", "4", "1e999", "4294967296", "none", "FAST", "x", "--svg", "-o", "0x10", " 1"]
-FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--no-such-option"]
+FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--no-such-option"]
 PATIENCE = 20  # seconds, of a run on such small meshes
 
 

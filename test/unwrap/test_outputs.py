@@ -293,6 +293,15 @@ class Outputs(Case):
         self.assertEqual((run.returncode, run.stdout), (0, b""))
         self.assertNotIn(b"\r", run.stderr)
 
+    def test_progress_for_other_programs(self):
+        run = self.unwrap("sphere.off", "--progress", "--quiet")
+        self.assertEqual((run.returncode, run.stdout), (0, b""))
+        lines = [line.split(" ", 1) for line in run.stderr.decode().splitlines()]
+        self.assertGreater(len(lines), 1)
+        for percent, phase in lines:
+            self.assertTrue(0 <= int(percent) <= 100)
+            self.assertIn(phase, ("finding candidates", "filtering", "connecting", "refining", "flattening"))
+
     def test_existing_files_are_replaced(self):
         self.write("sphere.uv.obj", "old")
         self.successful_report()

@@ -173,8 +173,7 @@ void add_output_options(CLI::App& app, Options& options)
                  "Mesh with texture coordinates; OBJ, or by the name's end\nbinary glTF (.glb) or PLY (.ply) "
                  "(default: name of INPUT\nwith .uv.obj, in the current folder)")
     ->type_name("OUT")->group(group);
-  app.add_option("--json", options.json, "Report of measures; - is the standard output")
-    ->type_name("FILE")->group(group);
+  app.add_option("--json", options.json, "Report of measures; - is the standard output")->type_name("FILE")->group(group);
   app.add_option("--svg", options.svg, "Picture of the layout, colored by distortion, and a\nplot of length against distortion")
     ->type_name("FILE")->group(group);
   app.add_option("--texture", options.texture,
@@ -187,8 +186,9 @@ void add_output_options(CLI::App& app, Options& options)
   add_layout_options(app, options, group);
   app.add_option("--obj-cut", options.obj_cut, "The cut as lines and its feature points as points,\nin OBJ format")
     ->type_name("FILE")->group(group);
-  app.add_flag("--quiet", options.is_quiet, "No progress and no summary, only errors and warnings")
-    ->group(group);
+  app.add_flag("--quiet", options.is_quiet, "No progress and no summary, only errors and warnings")->group(group);
+  app.add_flag("--progress", options.has_progress_lines,
+               "Progress as lines \"PERCENT PHASE\" on the standard error,\nfor programs that run this one")->group(group);
 }
 
 void add_method_options(CLI::App& app, Options& options)

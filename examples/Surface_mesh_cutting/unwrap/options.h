@@ -21,6 +21,7 @@ struct Options
   double margin = 2;                    // texels
   int texture_size = 1024;
   bool is_quiet = false;
+  bool has_progress_lines = false; // instead of a bar
 
   bool is_strict = false;      // refuses what is otherwise interpreted
   std::string weld = "auto"; // auto, on, off

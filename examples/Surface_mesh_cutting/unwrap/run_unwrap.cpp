@@ -1,7 +1,7 @@
 #include "run_unwrap.h"
 
 #include "Constraints.h"
-#include "Progress_bar.h"
+#include "Progress_display.h"
 #include "Stop_visitor.h"
 #include "make_layout.h"
 #include "pack.h"
@@ -35,9 +35,9 @@ using Result = SMC::Unwrap_result<Mesh>;
 class Visitor : public Stop_visitor
 {
 public:
-  explicit Visitor(const Options& options) : m_bar(!options.is_quiet) {}
+  explicit Visitor(const Options& options) : m_progress(style_of(options)) {}
 
-  void progress(SMC::Phase phase, double fraction) { m_bar.show(name_of(phase), fraction); }
+  void progress(SMC::Phase phase, double fraction) { m_progress.show(name_of(phase), fraction); }
 
 private:
   static const char* name_of(SMC::Phase phase)
@@ -53,7 +53,13 @@ private:
     return "";
   }
 
-  Progress_bar m_bar;
+  static Progress_display::Style style_of(const Options& options)
+  {
+    return options.has_progress_lines ? Progress_display::Style::LINES
+         : options.is_quiet ? Progress_display::Style::NONE : Progress_display::Style::BAR;
+  }
+
+  Progress_display m_progress;
 };
 
 Exit_code exit_code_of(Status_code code)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The call of the program `unwrap`: its arguments, and its input files."""
+
+import numpy as np
+
+from . import files
+
+MESH, LAYOUT, REPORT = "mesh.ply", "layout.obj", "report.json"
+
+SHARP_FACTOR = 0.2  # of the program's weights "crease"
+GROUP_FACTOR = 10
+NEVER_FROM = 0.5  # the weight in the vertex group
+
+
+class Refusal(Exception):
+    """What the user asks for cannot be done; the text says why, and what to do."""
+
+
+def _number(value):
+    """As the user sees it: Blender's numbers have single precision."""
+    return f"{value:.7g}"
+
+
+def _constrain(surface, settings, folder):
+    """The arguments for seams that were marked before. An edge with one face is open anyway."""
+    if settings.marked_seams == 'IGNORE':
+        return []
+    faces_at = np.bincount(surface.corner_edges, minlength=len(surface.edge_vertices))
+    seams = surface.edge_vertices[surface.is_seam & (faces_at > 1)]
+    if len(seams) == 0:
+        return []
+    files.write_edges(folder / "seams.selection.txt", seams)
+    return ["--must-cut" if settings.marked_seams == 'KEEP' else "--initial-cut", "seams.selection.txt"]
+
+
+def _weigh(surface, settings, folder):
+    """The arguments for edges that cost less than their length."""
+    arguments = []
+    for is_wanted, word in ((settings.sharp, "crease"), (settings.hidden, "visibility"), (settings.straight, "straight")):
+        if is_wanted:
+            arguments += ["--edge-weights", word]
+    if settings.marked_sharp and surface.is_sharp.any():
+        files.write_edge_factors(folder / "sharp.txt", surface.edge_vertices[surface.is_sharp], SHARP_FACTOR)
+        arguments += ["--edge-weights", "sharp.txt"]
+    return arguments
+
+
+def _use_group(surface, settings, folder):
+    """The arguments for the vertex group."""
+    if not settings.vertex_group:
+        return []
+    weights = surface.group_weights(settings.vertex_group)
+    if weights is None:
+        raise Refusal(f'No object has a vertex group "{settings.vertex_group}": choose another one, or none')
+    if settings.group_use == 'NEVER':
+        edges = surface.edge_vertices[(weights[surface.edge_vertices] >= NEVER_FROM).all(axis=1)]
+        if len(edges) == 0:
+            return []
+        files.write_edges(folder / "never.selection.txt", edges)
+        return ["--never-cut", "never.selection.txt"]
+    exponent = 1 if settings.group_use == 'AVOID' else -1
+    files.write_vertex_factors(folder / "paint.txt", (1 + (GROUP_FACTOR - 1) * weights) ** exponent)
+    return ["--edge-weights", "paint:paint.txt"]
+
+
+def prepare(surface, settings, threads, folder):
+    """Writes the input files into `folder` and returns the arguments, whose file names are relative to it.
+
+    `threads` is a number of threads, or 0 for as many as there are cores. Raises `Refusal`."""
+    if settings.scale == 'unit' and 2 * settings.margin >= settings.texture_size:
+        raise Refusal("The margin must be less than half of the texture size")
+    files.write_ply(folder / MESH, surface)
+    arguments = [MESH, "-o", LAYOUT, "--json", REPORT, "--progress", "--effort", settings.effort,
+                 "--uv-scale", settings.scale]
+    if settings.scale == 'unit':
+        arguments += ["--margin", _number(settings.margin), "--texture-size", str(settings.texture_size)]
+    if settings.has_bound:
+        arguments += ["--max-distortion", _number(settings.bound)]
+    if settings.may_overlap:
+        arguments.append("--allow-overlap")
+    if settings.time_limit > 0:
+        arguments += ["--time-limit", _number(settings.time_limit)]
+    if threads > 0:
+        arguments += ["--threads", str(threads)]
+    return (arguments + _constrain(surface, settings, folder) + _weigh(surface, settings, folder)
+            + _use_group(surface, settings, folder))
