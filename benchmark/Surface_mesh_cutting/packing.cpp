@@ -2,7 +2,8 @@
 //   packing [--margin TEXELS] [--texture-size N] RESULT.obj...
 // Each file has triangles with texture coordinates, such as those that the program unwrap writes. The ways: bounding
 // boxes on shelves; outlines in a bitmap with four rotations, the largest first, each as low as it can be; and
-// pack_charts(). All keep the same margin. The last line has the means, of the files with several charts.
+// pack_charts(). All keep the same margin. `limit` is the fill at which the chart with the largest extent alone needs the
+// whole square. The last lines have the means, of the files with at least 2 and with at least 10 charts.
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
@@ -148,6 +149,41 @@ double fill_of_bitmap(const std::vector<Chart_outline>& outlines, double margin,
   });
 }
 
+double limit_of_fill(const std::vector<Chart_outline>& outlines, double margin)
+{
+  double longest = 0;
+  for(const Chart_outline& outline : outlines)
+    longest = (std::max)(longest, outline.extent(tightest_square_angle(outline)).maxCoeff());
+  const double scale = (1 - 2 * margin) / longest;
+  return (std::min)(1., scale * scale);
+}
+
+// Of the fills in the columns.
+struct Means
+{
+  int least_charts, number = 0;
+  double sums[4] = {0, 0, 0, 0};
+
+  void add(int charts, const double (&fills)[4])
+  {
+    if(charts < least_charts)
+      return;
+    ++number;
+    for(int k = 0; k < 4; ++k)
+      sums[k] += fills[k];
+  }
+
+  void print() const
+  {
+    if(number == 0)
+      return;
+    std::cout << "mean," << least_charts << " or more";
+    for(const double sum : sums)
+      std::cout << "," << sum / number;
+    std::cout << "," << std::endl;
+  }
+};
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -166,9 +202,8 @@ int main(int argc, char** argv)
       names.push_back(word);
   }
   const double margin = texels / texture_size;
-  std::cout << "file,charts,shelves,bitmap,packed,seconds" << std::endl;
-  double sums[3] = {0, 0, 0};
-  int number = 0;
+  std::cout << "file,charts,shelves,bitmap,packed,limit,seconds" << std::endl;
+  Means means[2] = {{2}, {10}};
   for(const std::string& name : names)
   {
     const Layout layout = read_layout(name);
@@ -180,17 +215,16 @@ int main(int argc, char** argv)
     timer.start();
     const auto packed = Chart_packer<Tag>(outlines, margin, always_go_further).pack();
     timer.stop();
-    const double fills[3] = {fill_of_shelves(outlines, margin), fill_of_bitmap(outlines, margin, texture_size),
-                             packed ? packed->scale * packed->scale : 0};
-    std::cout << name << "," << parts.number << "," << fills[0] << "," << fills[1] << "," << fills[2] << "," << timer.time()
-              << std::endl;
-    if(parts.number < 2)
-      continue;
-    ++number;
-    for(int k = 0; k < 3; ++k)
-      sums[k] += fills[k];
+    const double fills[4] = {fill_of_shelves(outlines, margin), fill_of_bitmap(outlines, margin, texture_size),
+                             packed ? packed->scale * packed->scale : 0, limit_of_fill(outlines, margin)};
+    std::cout << name << "," << parts.number;
+    for(const double fill : fills)
+      std::cout << "," << fill;
+    std::cout << "," << timer.time() << std::endl;
+    for(Means& mean : means)
+      mean.add(parts.number, fills);
   }
-  if(number > 0)
-    std::cout << "mean,," << sums[0] / number << "," << sums[1] / number << "," << sums[2] / number << "," << std::endl;
+  for(const Means& mean : means)
+    mean.print();
   return EXIT_SUCCESS;
 }

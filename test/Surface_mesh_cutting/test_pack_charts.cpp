@@ -204,7 +204,19 @@ void test_bay_and_hole()
   check_distances(frame, 2, 1024);
 }
 
-// The certificate finds a chart moved by a little, and one moved into another one's hole without a margin.
+// The long chart limits the scale; it has to lie along the diagonal, and the others beside it.
+void test_limit()
+{
+  Charts charts;
+  charts.add({{0, 0}, {10, 0}, {10, 1}, {0, 1}}, {5, 0.5});
+  charts.add({{20, 0}, {21, 0}, {21, 1}, {20, 1}}, {20.5, 0.5});
+  charts.add({{30, 0}, {31, 0}, {30, 1}}, {30.3, 0.3});
+  const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv);
+  const double limit = (1 - 4. / 1024) * std::sqrt(2) / 11; // a rectangle turned by 45 degrees
+  assert(result && result.scale > 0.99 * limit && result.scale <= limit);
+  check_distances(charts, 2, 1024);
+}
+
 // Polygons, whose triangles share corners: each corner keeps its place in its chart.
 void test_polygons()
 {
@@ -228,6 +240,7 @@ void test_polygons()
         assert(charts.mesh.is_border(h) || charts.mesh.is_border(other) || charts.uv[h] == charts.uv[other]);
 }
 
+// The certificate finds a chart moved by a little, and one moved into another one's hole without a margin.
 void test_damage(CGAL::Random& random)
 {
   Charts charts = random_stars(random, 12);
@@ -297,6 +310,7 @@ int main(int argc, char** argv)
   CGAL::Random random(seed);
   test_one_chart();
   test_bay_and_hole();
+  test_limit();
   test_polygons();
   test_damage(random);
   test_errors(random);

@@ -24,7 +24,8 @@ Json to_json(const Phase_seconds& seconds)
 {
   return {{"candidates", to_json(seconds.candidates)}, {"filter", to_json(seconds.filter)},
           {"connect", to_json(seconds.connect)},       {"refine", to_json(seconds.refine)},
-          {"parameterize", to_json(seconds.parameterize)}, {"total", to_json(seconds.total)}};
+          {"parameterize", to_json(seconds.parameterize)}, {"packing", to_json(seconds.packing)},
+          {"total", to_json(seconds.total)}};
 }
 
 Json to_json(const CGAL::Surface_mesh_cutting::Phase_counts& counts)

@@ -53,7 +53,7 @@ public:
 // Seconds spent in the phases of the method.
 struct Phase_seconds
 {
-  std::optional<double> candidates, filter, connect, refine, parameterize, total;
+  std::optional<double> candidates, filter, connect, refine, parameterize, packing, total;
 };
 
 // All that is known about a run. What was not computed has no value.

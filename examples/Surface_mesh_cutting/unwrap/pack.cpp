@@ -8,6 +8,8 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <chrono>
+#include <ctime>
 #include <functional>
 #include <vector>
 
@@ -24,6 +26,12 @@ int number_of_charts(const Mesh& mesh, Cut_map is_cut)
     CGAL::parameters::edge_is_constrained_map(is_cut)));
 }
 
+void add_packing(Phase_seconds& phases, double seconds)
+{
+  phases.packing = seconds;
+  phases.total = phases.total.value_or(0) + seconds;
+}
+
 } // namespace
 
 void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, Outcome& outcome)
@@ -35,12 +43,16 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
     return;
   }
   Stop_visitor visitor;
+  const auto wall_start = std::chrono::steady_clock::now();
+  const std::clock_t cpu_start = std::clock();
   const auto result = SMC::pack_charts<CGAL::Parallel_if_available_tag>(
     mesh, is_cut, uvs,
     CGAL::parameters::margin(options.margin)
       .texture_size(options.texture_size)
       .do_bijective(is_injective(options))
       .visitor(std::ref(visitor)));
+  add_packing(outcome.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count());
+  add_packing(outcome.cpu_seconds, double(std::clock() - cpu_start) / CLOCKS_PER_SEC);
   if(!result.has_result)
   {
     const bool is_full = result.status.code == SMC::Status_code::INFEASIBLE_CONSTRAINTS;

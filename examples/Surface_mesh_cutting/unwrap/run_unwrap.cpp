@@ -119,7 +119,7 @@ std::string message_of(const SMC::Finding<Mesh>& finding, const Surface& surface
 Phase_seconds phase_seconds(const SMC::Phase_times& times)
 {
   return {times.candidates, times.filter, times.connect, times.refine, times.parameterize,
-          times.total};
+          std::nullopt, times.total};
 }
 
 std::string summary(const Outcome& outcome)

@@ -49,7 +49,8 @@ namespace Surface_mesh_cutting {
 /// be of type `float` or of an exact number type.
 ///
 /// Charts are drawn on grids of up to 2048 cells along a side, in 4 to 16 turns. Let \f$ c \f$ be their number; then the
-/// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts.
+/// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts. Up to 100
+/// charts push each other apart afterwards, off the grid and turned as they like, in about as much time again.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
@@ -92,7 +93,7 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{can end the run: it is asked once a first packing is found, before each further one that is tried}
+///     \cgalParamDescription{can end the run: it is asked once a first packing is found, often, before what takes long}
 ///     \cgalParamType{a class model of `CuttingVisitor`, of which only `go_further()` is called}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Grid_packing.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
@@ -50,7 +51,8 @@ struct Packed_charts
 //
 // The charts are drawn on a grid: a chart as the cells that it touches, its margin as the cells that are too close to
 // it. Where no chart touches the margin of another one, distances are kept for sure, and not only between cells. The
-// scale grows as long as one of several strategies finds places for all charts; a coarse grid is used first.
+// scale grows as long as one of several strategies finds places for all charts. A coarse grid is used first; after it,
+// a finer one if there are many charts, otherwise they push each other apart at ever larger scales, off any grid.
 template <typename ConcurrencyTag>
 class Chart_packer
 {
@@ -69,17 +71,22 @@ public:
       return pack_one();
     choose_turns();
     choose_strategies();
+    find_limit();
     const bool are_many = int(m_outlines.size()) > many;
     const int coarse = are_many ? 1024 : 512, fine = 2048;
     if(!find_first(coarse))
       return std::nullopt;
     grow(coarse, 1.08, are_many ? 1.02 : 1.004);
-    grow(fine, 1.03, are_many ? 1.005 : 1.0015);
+    if(int(m_outlines.size()) <= several)
+      push_apart();
+    else
+      grow(fine, 1.03, are_many ? 1.005 : 1.0015);
     return m_best;
   }
 
 private:
   static constexpr int several = 100, many = 1000; // charts
+  static constexpr double tolerance = 2e-4;        // of simplified outlines
 
   // Of the square inside of the margin.
   double side() const { return 1 - 2 * m_margin; }
@@ -157,17 +164,30 @@ private:
     }
   }
 
+  // The scale at which a single chart fills the square; that chart may lie as it has to then.
+  void find_limit()
+  {
+    double longest = 0;
+    std::size_t limiting = 0;
+    for(std::size_t i = 0; i < m_outlines.size(); ++i)
+      if(const double extent = m_outlines[i].extent(tightest_square_angle(m_outlines[i])).maxCoeff(); extent > longest)
+      {
+        longest = extent;
+        limiting = i;
+      }
+    m_limit = side() / longest;
+    for(int quarters = 0; quarters < 4; ++quarters)
+      m_turns[limiting].push_back(tightest_square_angle(m_outlines[limiting]) + quarters * CGAL_PI / 2);
+  }
+
   // Whether there is any scale at which all charts fit.
   bool find_first(int resolution)
   {
     constexpr double hopeful_fill = 0.75, shrinking = 0.93, hopeless = 1e-3;
-    double longest = 0, area = 0;
+    double area = 0;
     for(const Chart_outline& outline : m_outlines)
-    {
-      longest = (std::max)(longest, outline.extent(tightest_square_angle(outline)).maxCoeff());
       area += outline.area;
-    }
-    const double first = side() * (std::min)(1 / longest, std::sqrt(hopeful_fill / area));
+    const double first = (std::min)(m_limit, side() * std::sqrt(hopeful_fill / area));
     for(double scale = first; scale > hopeless * first; scale *= shrinking)
       if(try_scale(resolution, scale))
         return true;
@@ -178,8 +198,56 @@ private:
   void grow(int resolution, double factor, double finest)
   {
     while(factor > finest && m_go_further())
-      if(!try_scale(resolution, m_best->scale * factor))
+      if(m_best->scale * factor > m_limit || !try_scale(resolution, m_best->scale * factor))
         factor = std::sqrt(factor);
+  }
+
+  // Several runs with random numbers of their own; the best one counts.
+  void push_apart()
+  {
+    constexpr int runs = 2;
+    const double reach = m_margin / m_best->scale + 4 * tolerance;
+    std::vector<std::optional<Rigid_chart> > built(m_outlines.size());
+    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_outlines.size()), [&](int i)
+    {
+      built[i].emplace(simplified_outline(m_outlines[i].segments, tolerance), reach);
+    });
+    std::vector<Rigid_chart> charts;
+    for(std::optional<Rigid_chart>& chart : built)
+      charts.push_back(std::move(*chart));
+    std::vector<Packed_charts> found(runs, *m_best);
+    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(runs, [&](int i)
+    { found[i] = pushed_apart(charts, (unsigned int)i); });
+    for(Packed_charts& packed : found)
+      if(packed.scale > m_best->scale)
+        m_best = std::move(packed);
+  }
+
+  // Not the scale changes here, but the room.
+  Packed_charts pushed_apart(const std::vector<Rigid_chart>& charts, unsigned int seed) const
+  {
+    constexpr double first = 1.02, finest = 1.002;
+    const int sweeps = (std::min)(100, 3000 / int(charts.size())); // a sweep takes longer for more charts
+    Packed_charts best = *m_best;
+    Chart_separator separator(charts, seed);
+    for(double factor = first; factor > finest && m_go_further();)
+    {
+      const double scale = best.scale * factor;
+      const Eigen::Vector2d corner = Eigen::Vector2d::Constant(m_margin + tolerance * scale);
+      std::vector<Rigid_motion> motions;
+      for(const Chart_motion& motion : best.motions)
+        motions.emplace_back(motion.angle, (motion.translation - corner) / scale);
+      const Square_room room = {side() / scale - 2 * tolerance, m_margin / scale + 2 * tolerance, tolerance};
+      if(scale > m_limit || !separator.separate(motions, room, sweeps, m_go_further))
+      {
+        factor = std::sqrt(factor);
+        continue;
+      }
+      best.scale = scale;
+      for(std::size_t i = 0; i < motions.size(); ++i)
+        best.motions[i] = {motions[i].angle(), corner + scale * motions[i].translation()};
+    }
+    return best;
   }
 
   // The first strategy that succeeds counts; those that fail where others succeed are given up.
@@ -230,6 +298,7 @@ private:
   const Go_further m_go_further;
   std::vector<std::vector<double> > m_turns; // angles
   std::vector<Packing_strategy> m_strategies;
+  double m_limit = 0; // of the scale
   std::optional<Packed_charts> m_best;
 };
 

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_RIGID_CHART_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_RIGID_CHART_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/packing/Distance_field.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Turns about the origin, then translates.
+class Rigid_motion
+{
+public:
+  Rigid_motion(double angle, const Eigen::Vector2d& translation)
+    : Rigid_motion(angle, std::cos(angle), std::sin(angle), translation)
+  {}
+
+  double angle() const { return m_angle; }
+  const Eigen::Vector2d& translation() const { return m_translation; }
+
+  Eigen::Vector2d turned(const Eigen::Vector2d& v) const
+  { return {m_cosine * v.x() - m_sine * v.y(), m_sine * v.x() + m_cosine * v.y()}; }
+
+  Eigen::Vector2d turned_back(const Eigen::Vector2d& v) const
+  { return {m_cosine * v.x() + m_sine * v.y(), m_cosine * v.y() - m_sine * v.x()}; }
+
+  Eigen::Vector2d operator()(const Eigen::Vector2d& p) const { return turned(p) + m_translation; }
+
+  // This motion, followed by the inverse of the other one.
+  Rigid_motion relative_to(const Rigid_motion& other) const
+  {
+    return Rigid_motion(m_angle - other.m_angle, m_cosine * other.m_cosine + m_sine * other.m_sine,
+                        m_sine * other.m_cosine - m_cosine * other.m_sine,
+                        other.turned_back(m_translation - other.m_translation));
+  }
+
+private:
+  Rigid_motion(double angle, double cosine, double sine, const Eigen::Vector2d& translation)
+    : m_angle(angle), m_cosine(cosine), m_sine(sine), m_translation(translation)
+  {}
+
+  double m_angle, m_cosine, m_sine;
+  Eigen::Vector2d m_translation;
+};
+
+// A chart that is moved as a whole.
+struct Rigid_chart
+{
+  std::vector<Outline_segment> outline; // with few segments
+  Distance_field field;
+  std::vector<Eigen::Vector2d> samples; // of the outline, all its corners among them
+  double radius = 0;                    // of a circle around the origin
+
+  // `reach`: up to which distance the field is asked for.
+  Rigid_chart(std::vector<Outline_segment> segments, double reach)
+    : outline(std::move(segments)), field(outline, reach)
+  {
+    constexpr double samples_between_corners = 30;
+    double perimeter = 0;
+    for(const Outline_segment& s : outline)
+      perimeter += (s.target - s.source).norm();
+    const double spacing = perimeter / samples_between_corners;
+    for(const Outline_segment& s : outline)
+    {
+      const double length = (s.target - s.source).norm();
+      const int number = length > spacing ? int(std::ceil(length / spacing)) : 1;
+      for(int i = 0; i < number; ++i)
+        samples.push_back(s.source + double(i) / number * (s.target - s.source));
+      radius = (std::max)(radius, s.source.norm());
+    }
+  }
+};
+
+// Whether `p` lies inside of the outline, to the left of its segments.
+inline bool is_inside(const std::vector<Outline_segment>& outline, const Eigen::Vector2d& p)
+{
+  int winding_number = 0;
+  for(const Outline_segment& s : outline)
+    if((s.source.y() <= p.y()) != (s.target.y() <= p.y()))
+    {
+      const Eigen::Vector2d d = s.target - s.source, q = p - s.source;
+      const double area = d.x() * q.y() - d.y() * q.x();
+      if(d.y() > 0 && area > 0)
+        ++winding_number;
+      else if(d.y() < 0 && area < 0)
+        --winding_number;
+    }
+  return winding_number != 0;
+}
+
+// Whether the charts have points in common, if all corners of each lie apart from the border of the other one.
+// O(nm); rounding does not matter, as segments that nearly touch would have a corner close to the other one.
+inline bool do_overlap(const Rigid_chart& first, const Rigid_motion& at_first, const Rigid_chart& second,
+                       const Rigid_motion& at_second)
+{
+  const Rigid_motion relative = at_first.relative_to(at_second);
+  const auto side = [](const Outline_segment& s, const Eigen::Vector2d& p)
+  {
+    const Eigen::Vector2d d = s.target - s.source, q = p - s.source;
+    return d.x() * q.y() - d.y() * q.x() > 0;
+  };
+  for(const Outline_segment& segment : first.outline)
+  {
+    const Outline_segment a = {relative(segment.source), relative(segment.target)};
+    for(const Outline_segment& b : second.outline)
+      if(side(a, b.source) != side(a, b.target) && side(b, a.source) != side(b, a.target))
+        return true;
+  }
+  const Rigid_motion back = at_second.relative_to(at_first);
+  return is_inside(second.outline, relative(first.samples.front()))
+         || is_inside(first.outline, back(second.samples.front()));
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_RIGID_CHART_H
