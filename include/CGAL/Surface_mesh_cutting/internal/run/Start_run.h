@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
 
 #include <algorithm>
 #include <utility>
@@ -181,9 +182,31 @@ private:
     const Newton_result newton = final_map(m_problem, refiner.cut().chart(), m_context, result.uv);
     result.energy = newton.energy;
     result.has_map = newton.outcome != Newton_outcome::FAILED;
+    if(result.has_map && m_parameters.do_bijective && !m_parameters.use_published_method)
+      relieve(refiner, result);
     if(!result.has_map || m_control.is_stopped())
       result.status = failure(m_control);
     m_control.report(Phase::PARAMETERIZE, 1);
+  }
+
+  // Opens slits where the map is worse than one that may overlap, or than the bound, since the plane has no room for
+  // all of the chart's parts.
+  void relieve(const Refiner& refiner, Component_result& result) const
+  {
+    constexpr double tolerance = 0.018; // of the energy: less is not worth another slit
+    const Open_chart& overlapping = refiner.cut().chart();
+    const double goal = has_bound(m_parameters) ? m_parameters.maximum_average_distortion
+                                                : overlapping.energy + tolerance;
+    if(result.energy <= goal)
+      return;
+    Injective_cut cut{result.cut, std::move(result.chart), std::move(result.uv), result.energy, {}};
+    Injective_refiner(m_problem, m_context, overlapping).lower_to(goal, cut);
+    take_cut(refiner, cut.cut, result);
+    result.features.insert(result.features.end(), cut.tips.begin(), cut.tips.end());
+    std::sort(result.features.begin(), result.features.end());
+    result.chart = std::move(cut.chart);
+    result.uv = std::move(cut.uv);
+    result.energy = cut.energy;
   }
 
   const Problem& m_problem;

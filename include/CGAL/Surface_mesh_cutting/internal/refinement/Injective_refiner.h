@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_REFINER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_REFINER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/open_injectively.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A cut surface and a map of it without overlaps.
+struct Injective_cut
+{
+  Cut cut;
+  Corner_table chart;
+  std::vector<Eigen::Vector2d> uv;
+  double energy = 0;     // area-averaged
+  std::vector<int> tips; // of the slits that were opened
+};
+
+// Opens slits in maps without overlaps. Where parts of a chart are in each other's way, the map is more distorted than
+// one that may overlap: a slit lets them turn aside. Windows around a slit do not show that, since what turns is
+// outside; every slit that is tried is opened, and the chart solved with its scaffold.
+class Injective_refiner
+{
+public:
+  // `overlapping`: the best map of the cut that may overlap. Where the other is worse, slits help most. The references
+  // to the problem and to what the context holds are kept.
+  Injective_refiner(const Problem& problem, const Context& context, const Open_chart& overlapping)
+    : m_problem(problem), m_context(context), m_slits(problem.mesh, problem.constraints),
+      m_reference(vertex_distortion(overlapping.chart, overlapping.uv)), m_ranks(overlapping.ranks),
+      m_is_excluded(problem.mesh.number_of_vertices(), 0)
+  {}
+
+  // Until the energy is at most `goal`; false if no slit is found that helps, or if it takes too long.
+  bool lower_to(double goal, Injective_cut& cut)
+  {
+    constexpr double enough_solved_faces = 1e7; // one for each triangle in each factorization: about a minute
+    while(cut.energy > goal)
+      if(m_number_of_solved_faces > enough_solved_faces || !m_context.control.go_further() || !open_best(goal, cut))
+        return false;
+    return true;
+  }
+
+private:
+  // The slit that gains most for its cost, of those that seem best. False if none gains.
+  bool open_best(double goal, Injective_cut& cut)
+  {
+    constexpr int maximum_number_of_attempts = 3;
+    for(int i = 0; i < maximum_number_of_attempts; ++i)
+    {
+      const std::vector<Slit> slits = proposals(cut);
+      Injective_cut best;
+      double best_rate = 0;
+      for(const Slit& slit : slits)
+      {
+        Injective_cut trial = opened(cut, slit);
+        const double gain = cut.energy - (std::max)(trial.energy, goal);
+        if(!(gain > 0))
+          m_is_excluded[slit.tip] = 1;
+        else if(gain > best_rate * slit.cost)
+        {
+          best_rate = gain / slit.cost;
+          best = std::move(trial);
+        }
+      }
+      if(best_rate > 0)
+      {
+        cut = std::move(best);
+        return true;
+      }
+      if(slits.empty())
+        return false;
+    }
+    return false;
+  }
+
+  // To where the map is worse than the overlapping one, and to where it is bad.
+  std::vector<Slit> proposals(const Injective_cut& cut)
+  {
+    constexpr std::size_t number_of_each = 2;
+    const std::vector<double> distortion = vertex_distortion(cut.chart, cut.uv);
+    std::vector<double> excess = distortion;
+    for(std::size_t v = 0; v < excess.size(); ++v)
+      excess[v] += Symmetric_Dirichlet_energy::ideal - m_reference[v];
+    std::vector<Slit> slits = m_slits.proposals(cut.cut, excess, m_is_excluded, number_of_each);
+    for(Slit& slit : m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each))
+      if(std::none_of(slits.begin(), slits.end(), [&](const Slit& other) { return other.tip == slit.tip; }))
+        slits.push_back(std::move(slit));
+    return slits;
+  }
+
+  Injective_cut opened(const Injective_cut& cut, const Slit& slit)
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    Injective_cut result = cut;
+    result.tips.push_back(slit.tip);
+    std::vector<int> halfedges;
+    for(int e : slit.edges)
+    {
+      result.cut[e] = 1;
+      halfedges.push_back(m_problem.mesh.halfedge(e));
+    }
+    open_injectively(halfedges, result.chart, result.uv);
+    Scaffold_options options;
+    options.decrease = 2e-4; // the slit is narrow at first, and what it gains comes late
+    options.maximum_rounds = 8;
+    if(!m_ranks.empty())
+      for(int origin : result.chart.origins())
+        options.ranks.push_back(m_ranks[origin]);
+    options.go_further = m_context.control;
+    const Newton_result newton = Scaffold_minimization(result.chart, m_problem.shapes,
+                                                       *m_context.parameters.linear_solvers, options)(result.uv);
+    m_number_of_solved_faces += double(newton.iterations) * m_problem.mesh.number_of_faces();
+    result.energy = is_bijective(result.chart, result.uv) ? newton.energy : std::numeric_limits<double>::infinity();
+    return result;
+  }
+
+  std::vector<double> vertex_distortion(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv) const
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    return vertex_averages(m_problem.shapes, m_problem.mesh.triangles(),
+                           face_energies<Symmetric_Dirichlet_energy>(m_problem.shapes, chart.triangles(), uv),
+                           m_problem.mesh.number_of_vertices());
+  }
+
+  const Problem& m_problem;
+  const Context m_context;
+  Slit_search m_slits;
+  const std::vector<double> m_reference; // per vertex of the surface
+  const std::vector<int> m_ranks;        // per vertex of the surface, see `Open_chart`
+  std::vector<char> m_is_excluded;       // per vertex of the surface
+  double m_number_of_solved_faces = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_REFINER_H
