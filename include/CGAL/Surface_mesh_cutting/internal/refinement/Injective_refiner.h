@@ -131,8 +131,8 @@ private:
     }
     open_injectively(halfedges, result.chart, result.uv);
     Scaffold_options options;
-    options.decrease = 2e-4; // the slit is narrow at first, and what it gains comes late
-    options.maximum_rounds = 8;
+    options.decrease = 4e-4; // the slit is narrow at first, and what it gains comes late
+    options.maximum_rounds = 6;
     if(!m_ranks.empty())
       for(int origin : result.chart.origins())
         options.ranks.push_back(m_ranks[origin]);

@@ -109,6 +109,7 @@ private:
   Newton_result do_round(std::vector<Eigen::Vector2d>& uv, Newton_result& total)
   {
     constexpr int factorizations = 3; // then the scaffold has become stiff
+    constexpr double precision = 0.03; // of the solve, as a fraction of what a round has to gain
     if(!m_scaffold.build(m_chart, uv))
       return Newton_result();
     const int n = m_chart.number_of_vertices();
@@ -133,6 +134,7 @@ private:
       m_ranks = solver.positions();
     Newton_options options;
     options.maximum_iterations = factorizations;
+    options.decrement = precision * m_options.decrease;
     options.go_further = m_options.go_further;
     const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
