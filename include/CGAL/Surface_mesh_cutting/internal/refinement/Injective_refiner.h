@@ -71,39 +71,74 @@ public:
   }
 
 private:
-  // The slit that gains most for its cost, of those that seem best. False if none gains.
+  struct Trial
+  {
+    Slit slit; // what lies below the goal is no gain
+    Injective_cut cut;
+  };
+
+  // The slit that gains most for its cost, of those that seem best; far from the goal, all that gain independently of
+  // each other. False if none gains.
   bool open_best(double goal, Injective_cut& cut)
   {
     constexpr int maximum_number_of_attempts = 3;
-    for(int i = 0; i < maximum_number_of_attempts; ++i)
-    {
-      const std::vector<Slit> slits = proposals(cut);
-      Injective_cut best;
-      double best_rate = 0;
-      for(const Slit& slit : slits)
-      {
-        Injective_cut trial = opened(cut, slit);
-        const double gain = cut.energy - (std::max)(trial.energy, goal);
-        if(!(gain > 0))
-          m_is_excluded[slit.tip] = 1;
-        else if(gain > best_rate * slit.cost)
-        {
-          best_rate = gain / slit.cost;
-          best = std::move(trial);
-        }
-      }
-      if(best_rate > 0)
-      {
-        cut = std::move(best);
-        return true;
-      }
-      if(slits.empty())
-        return false;
-    }
-    return false;
+    constexpr double far = 4; // of what the best slit gains
+    std::vector<Trial> trials;
+    for(int i = 0; i < maximum_number_of_attempts && trials.empty(); ++i)
+      trials = useful_trials(goal, cut);
+    if(trials.empty())
+      return false;
+    if(trials.size() == 1 || cut.energy - goal < far * trials.front().slit.gain || !open_all(trials, cut))
+      cut = std::move(trials.front().cut);
+    return true;
   }
 
-  // To where the map is worse than the overlapping one, and to where it is bad.
+  // Slits are paths of one forest of shortest paths, so that together they leave a disk, too. False if they gain
+  // much less than the sum of their gains.
+  bool open_all(const std::vector<Trial>& trials, Injective_cut& cut)
+  {
+    constexpr double share = 0.8; // of that sum
+    std::vector<int> edges, tips = cut.tips;
+    double gain = 0;
+    for(const Trial& t : trials)
+    {
+      edges.insert(edges.end(), t.slit.edges.begin(), t.slit.edges.end());
+      tips.push_back(t.slit.tip);
+      gain += t.slit.gain;
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    Injective_cut all = opened(cut, edges, std::move(tips));
+    if(cut.energy - all.energy < share * gain)
+      return false;
+    cut = std::move(all);
+    return true;
+  }
+
+  // Those that gain, the best first. None costs more than one that reaches the goal.
+  std::vector<Trial> useful_trials(double goal, const Injective_cut& cut)
+  {
+    std::vector<Trial> trials;
+    for(Slit& slit : proposals(cut))
+    {
+      std::vector<int> tips = cut.tips;
+      tips.push_back(slit.tip);
+      Injective_cut trial = opened(cut, slit.edges, std::move(tips));
+      slit.gain = cut.energy - (std::max)(trial.energy, goal);
+      const bool is_enough = trial.energy <= goal;
+      if(slit.gain > 0)
+        trials.push_back({std::move(slit), std::move(trial)});
+      else
+        m_is_excluded[slit.tip] = 1;
+      if(is_enough)
+        break;
+    }
+    std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b)
+                     { return a.slit.gain_per_cost() > b.slit.gain_per_cost(); });
+    return trials;
+  }
+
+  // To where the map is worse than the overlapping one, and to where it is bad; the cheapest first.
   std::vector<Slit> proposals(const Injective_cut& cut)
   {
     constexpr std::size_t number_of_each = 2;
@@ -115,16 +150,17 @@ private:
     for(Slit& slit : m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each))
       if(std::none_of(slits.begin(), slits.end(), [&](const Slit& other) { return other.tip == slit.tip; }))
         slits.push_back(std::move(slit));
+    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b) { return a.cost < b.cost; });
     return slits;
   }
 
-  Injective_cut opened(const Injective_cut& cut, const Slit& slit)
+  Injective_cut opened(const Injective_cut& cut, const std::vector<int>& edges, std::vector<int> tips)
   {
     using namespace Surface_mesh_parameterization::internal;
     Injective_cut result = cut;
-    result.tips.push_back(slit.tip);
+    result.tips = std::move(tips);
     std::vector<int> halfedges;
-    for(int e : slit.edges)
+    for(int e : edges)
     {
       result.cut[e] = 1;
       halfedges.push_back(m_problem.mesh.halfedge(e));
