@@ -63,7 +63,7 @@ public:
   // Until the energy is at most `goal`; false if no slit is found that helps, or if it takes too long.
   bool lower_to(double goal, Injective_cut& cut)
   {
-    constexpr double enough_solved_faces = 1e7; // one for each triangle in each factorization: about a minute
+    constexpr double enough_solved_faces = 2e6; // one for each triangle in each factorization: some ten seconds
     while(cut.energy > goal)
       if(m_number_of_solved_faces > enough_solved_faces || !m_context.control.go_further() || !open_best(goal, cut))
         return false;
@@ -118,6 +118,7 @@ private:
   // Those that gain, the best first. None costs more than one that reaches the goal.
   std::vector<Trial> useful_trials(double goal, const Injective_cut& cut)
   {
+    constexpr double least_gain = 2e-4; // less is within the precision of the trials
     std::vector<Trial> trials;
     for(Slit& slit : proposals(cut))
     {
@@ -126,7 +127,7 @@ private:
       Injective_cut trial = opened(cut, slit.edges, std::move(tips));
       slit.gain = cut.energy - (std::max)(trial.energy, goal);
       const bool is_enough = trial.energy <= goal;
-      if(slit.gain > 0)
+      if(is_enough || slit.gain > least_gain)
         trials.push_back({std::move(slit), std::move(trial)});
       else
         m_is_excluded[slit.tip] = 1;
