@@ -125,6 +125,7 @@ void test_unreachable_bound()
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
                                   CGAL::parameters::maximum_average_distortion(4.001).edge_is_forbidden_map(is_forbidden));
   check(result.status.code == Status_code::BOUND_NOT_REACHED && result.has_result, "a bound out of reach");
+  check(!result.status.faces.empty(), "the faces in the way are named");
   check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate beyond the bound");
   for(double bound : {4., 0., -1., std::numeric_limits<double>::quiet_NaN()})
     check(SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::maximum_average_distortion(bound)).status.code ==

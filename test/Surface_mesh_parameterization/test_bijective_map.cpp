@@ -5,6 +5,7 @@
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/open_injectively.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -204,6 +205,51 @@ void check_refinement(const Test_surface& surface)
 
 // A ramp of some turns: laid flat without distortion, it covers its own start. With holes if asked
 // for.
+// A slit along a random walk from the border that does not meet itself. Its sides come apart; what else there is stays.
+void check_opening(Test_surface surface, CGAL::Random& random)
+{
+  Corner_table& chart = surface.chart;
+  const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
+  std::vector<Vector2d> uv;
+  const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, uv);
+  assert(is_mapped);
+  std::vector<char> is_taken(chart.number_of_vertices(), 0);
+  std::vector<int> starts, slit;
+  for(int h = 0; h < int(chart.opposites().size()); ++h)
+    if(chart.is_border(h))
+    {
+      is_taken[chart.source(h)] = 1;
+      starts.push_back(h);
+    }
+  int h = starts[random.get_int(0, int(starts.size()))];
+  for(int step = 0; step < 40 && slit.size() < 12; ++step)
+  {
+    for(int turn = random.get_int(0, 6); turn > 0 && chart.next_around_source(h) >= 0; --turn)
+      h = chart.next_around_source(h);
+    if(chart.is_border(h) || is_taken[chart.target(h)])
+      continue;
+    is_taken[chart.target(h)] = 1;
+    slit.push_back(h);
+    h = chart.opposite(h);
+  }
+  if(slit.empty())
+    return;
+  std::vector<char> is_on_slit(chart.number_of_vertices(), 0);
+  for(int e : slit)
+    is_on_slit[chart.source(e)] = is_on_slit[chart.target(e)] = 1;
+  const std::vector<Vector2d> former = uv;
+  const double former_area = chart_area(chart.triangles(), uv);
+  open_injectively(slit, chart, uv);
+  assert(chart.number_of_vertices() == int(former.size() + slit.size())); // all but the tip fall apart
+  assert(chart.euler_characteristic() == 1);
+  assert(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
+  const double area = chart_area(chart.triangles(), uv);
+  assert(area < former_area && area > former_area / 2);
+  for(std::size_t v = 0; v < former.size(); ++v)
+    assert(is_on_slit[v] || uv[v] == former[v]);
+  check_scaffold(chart, uv);
+}
+
 Test_surface make_ramp(int length, int width, double turns, CGAL::Random& random, bool has_holes)
 {
   return make_grid_surface(length, width, random,
@@ -241,6 +287,8 @@ int main()
     check_map(hills);
     check_refinement(hills);
     check_from_tutte(hills);
+    for(int j = 0; j < 10; ++j)
+      check_opening(make_hills(8 + 6 * i, 20, random), random);
   }
   int overlapping = 0, cases = 0;
   const auto check = [&](const Test_surface& surface)

@@ -50,7 +50,8 @@ inline Newton_result final_map(const Problem& problem, const Open_chart& running
   if(!context.parameters.do_bijective)
     return result;
   return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, problem.shapes,
-                                                                 linear_solvers, uv, result, options);
+                                                                 linear_solvers, uv, result, options,
+                                                                 running.chart_ranks());
 }
 
 } // namespace internal

@@ -57,31 +57,39 @@ public:
   Slit best(Incremental_parameterization& map, const std::vector<char>& is_excluded)
   {
     constexpr std::size_t number_of_trials = 12; // each costs the solve of a window
-    measure_distances(map.cut());
-    const std::vector<double> distortion = map.vertex_distortion();
-    std::vector<double> score(distortion.size(), 0);
-    for(std::size_t v = 0; v < score.size(); ++v)
-      if(!is_excluded[v] && m_paths.distance(int(v)) < Shortest_paths::infinity())
-        score[v] = (distortion[v] - Symmetric_Dirichlet_energy::ideal) * worth(int(v));
-    std::vector<std::pair<double, int> > proposals;
-    for(bool by_score : {false, true})
-      for(int v : local_maximizers(m_mesh, by_score ? score : distortion))
-        if(score[v] > 0)
-          proposals.emplace_back(-score[v], v);
-    std::sort(proposals.begin(), proposals.end());
-    proposals.erase(std::unique(proposals.begin(), proposals.end()), proposals.end());
-    if(proposals.size() > number_of_trials)
-      proposals.resize(number_of_trials);
-
     Slit best;
-    for(const auto& proposal : proposals)
+    for(Slit& slit : proposals(map.cut(), map.vertex_distortion(), is_excluded, number_of_trials))
     {
-      Slit slit = slit_from(proposal.second);
       slit.gain = map.estimate_gain(slit.edges);
       if(slit.gain_per_cost() > best.gain_per_cost())
         best = std::move(slit);
     }
     return best;
+  }
+
+  // At most so many slits, those first that seem to gain most: to local maxima of the distortion, which is one value
+  // per vertex, or of the distortion along the way there. Their gains are not known yet.
+  std::vector<Slit> proposals(const Cut& cut, const std::vector<double>& distortion,
+                              const std::vector<char>& is_excluded, std::size_t maximum_number)
+  {
+    measure_distances(cut);
+    std::vector<double> score(distortion.size(), 0);
+    for(std::size_t v = 0; v < score.size(); ++v)
+      if(!is_excluded[v] && m_paths.distance(int(v)) < Shortest_paths::infinity())
+        score[v] = (distortion[v] - Symmetric_Dirichlet_energy::ideal) * worth(int(v));
+    std::vector<std::pair<double, int> > tips;
+    for(bool by_score : {false, true})
+      for(int v : local_maximizers(m_mesh, by_score ? score : distortion))
+        if(score[v] > 0)
+          tips.emplace_back(-score[v], v);
+    std::sort(tips.begin(), tips.end());
+    tips.erase(std::unique(tips.begin(), tips.end()), tips.end());
+    if(tips.size() > maximum_number)
+      tips.resize(maximum_number);
+    std::vector<Slit> slits;
+    for(const auto& tip : tips)
+      slits.push_back(slit_from(tip.second));
+    return slits;
   }
 
   // The slit that gains most beyond its cost, of those to `tip` or to cheaper vertices within `reach` of it. The tip

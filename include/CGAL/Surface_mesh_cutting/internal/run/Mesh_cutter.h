@@ -24,6 +24,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
@@ -315,10 +318,25 @@ private:
                                                Element_kind::NONE, {}});
     const bool keeps_bound = result.average_energy <= m_context.parameters.maximum_average_distortion;
     Finding& finding = result.status.finding;
-    if(finding.code == Status_code::OK && !keeps_bound)
-      finding = bound_missed().finding;
-    else if(finding.code == Status_code::BOUND_NOT_REACHED && keeps_bound && !m_context.parameters.needs_optimal_tree)
-      finding = Finding(); // a component alone misses the bound, the whole keeps it
+    const bool misses_proof = m_context.parameters.needs_optimal_tree && finding.code == Status_code::BOUND_NOT_REACHED;
+    if((finding.code != Status_code::OK && finding.code != Status_code::BOUND_NOT_REACHED) || misses_proof)
+      return;
+    if(keeps_bound)
+      finding = Finding(); // even if a component alone misses the bound
+    else
+      finding = bound_missed(faces_above_bound(result)).finding;
+  }
+
+  std::vector<int> faces_above_bound(const Mesh_result& result) const
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    const std::vector<double> energies = face_energies<Symmetric_Dirichlet_energy>(
+      rest_shapes(m_mesh.triangles(), m_mesh.points()), result.chart.triangles(), result.uv);
+    std::vector<int> faces;
+    for(int f = 0; f < int(energies.size()); ++f)
+      if(energies[f] > m_context.parameters.maximum_average_distortion)
+        faces.push_back(f);
+    return faces;
   }
 
   const Indexed_mesh& m_mesh;

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
 
 #include <algorithm>
 #include <utility>
@@ -122,6 +123,8 @@ private:
                             result);
     if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
       tighten(refiner, repair_threshold, result);
+    if(has_bound(m_parameters) && m_parameters.do_bijective)
+      relieve(refiner.cut().chart(), bound, result);
     if(result.status && result.energy > bound)
       result.status = bound_missed();
   }
@@ -181,9 +184,31 @@ private:
     const Newton_result newton = final_map(m_problem, refiner.cut().chart(), m_context, result.uv);
     result.energy = newton.energy;
     result.has_map = newton.outcome != Newton_outcome::FAILED;
+    constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
+    if(m_parameters.do_bijective && !m_parameters.use_published_method && !has_bound(m_parameters))
+      relieve(refiner.cut().chart(), refiner.cut().chart().energy + tolerance, result);
     if(!result.has_map || m_control.is_stopped())
       result.status = failure(m_control);
     m_control.report(Phase::PARAMETERIZE, 1);
+  }
+
+  // Opens slits until the energy of the map without overlaps is at most `goal`, if that is possible: where the plane
+  // has no room for all of the chart's parts, they let some turn aside.
+  void relieve(const Open_chart& overlapping, double goal, Component_result& result) const
+  {
+    if(!result.has_map || result.energy <= goal)
+      return;
+    Injective_cut cut{std::move(result.cut), std::move(result.chart), std::move(result.uv), result.energy, {}};
+    Injective_refiner(m_problem, m_context, overlapping).lower_to(goal, cut);
+    result.cut = std::move(cut.cut);
+    result.length = cut_length(m_problem.mesh, result.cut);
+    result.cost = cut_cost(m_problem.constraints, result.cut);
+    result.is_optimal = result.is_optimal && cut.tips.empty();
+    result.features.insert(result.features.end(), cut.tips.begin(), cut.tips.end());
+    std::sort(result.features.begin(), result.features.end());
+    result.chart = std::move(cut.chart);
+    result.uv = std::move(cut.uv);
+    result.energy = cut.energy;
   }
 
   const Problem& m_problem;

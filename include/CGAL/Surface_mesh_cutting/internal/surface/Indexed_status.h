@@ -61,9 +61,11 @@ inline Indexed_status stopped_status()
   return Indexed_status(Status_code::STOPPED, "the visitor or the time limit ended the run");
 }
 
-inline Indexed_status bound_missed()
+// `faces`: those in the way, if they are known.
+inline Indexed_status bound_missed(std::vector<int> faces = {})
 {
-  return Indexed_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map meets the bound on the distortion");
+  return Indexed_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map meets the bound on the distortion",
+                        faces.empty() ? Element_kind::NONE : Element_kind::FACE, std::move(faces));
 }
 
 } // namespace internal

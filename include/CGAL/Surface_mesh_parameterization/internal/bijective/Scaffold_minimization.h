@@ -33,11 +33,15 @@ namespace internal {
 
 struct Scaffold_options
 {
-  // Ends when a round gains less than this fraction of the energy.
+  // Ends when a round gains less than this fraction of the energy, or when the next one would.
   double decrease = 1e-3;
+  int maximum_rounds = 30;
   // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
   // travel farther than to the next vertex of the scaffold, at twice the cost.
   bool moves_scaffold = false;
+  // Of the chart's vertices, see `Newton_system`: an order of elimination that suits the chart without its scaffold
+  // suits both, as long as the scaffold stays where it is. Empty if none is known.
+  std::vector<int> ranks;
   Go_further go_further = always_go_further;
 };
 
@@ -52,22 +56,21 @@ public:
   Scaffold_minimization(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
                         const Linear_solver_source& linear_solvers, const Scaffold_options& options)
     : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
-      m_options(options)
+      m_options(options), m_ranks(options.ranks)
   {}
 
   // `uv` holds an injective map and receives a better one, or stays as it is. In exact arithmetic it
   // stays injective; that no triangle has flipped is checked exactly after every round.
   Newton_result operator()(std::vector<Eigen::Vector2d>& uv)
   {
-    constexpr int maximum_rounds = 30; // a limit
     Newton_result result;
     result.energy = energy(uv);
     result.outcome = Newton_outcome::ITERATION_LIMIT;
-    for(int round = 0; round < maximum_rounds; ++round)
+    for(int round = 0; round < m_options.maximum_rounds; ++round)
     {
       std::vector<Eigen::Vector2d> next = uv;
-      const Newton_outcome outcome = do_round(next, result);
-      if(outcome == Newton_outcome::FAILED)
+      const Newton_result whole = do_round(next, result);
+      if(whole.outcome == Newton_outcome::FAILED)
       {
         result.outcome = Newton_outcome::STALLED;
         return result;
@@ -75,9 +78,10 @@ public:
       uv.swap(next);
       const double former = result.energy;
       result.energy = energy(uv);
-      if(outcome == Newton_outcome::STOPPED || former - result.energy < m_options.decrease * former)
+      if(whole.outcome == Newton_outcome::STOPPED || former - result.energy < m_options.decrease * former ||
+         (whole.outcome == Newton_outcome::CONVERGED && stress(whole, result.energy) < m_options.decrease * former))
       {
-        result.outcome = outcome == Newton_outcome::STOPPED ? outcome : Newton_outcome::CONVERGED;
+        result.outcome = whole.outcome == Newton_outcome::STOPPED ? whole.outcome : Newton_outcome::CONVERGED;
         return result;
       }
     }
@@ -85,19 +89,29 @@ public:
   }
 
 private:
+  static constexpr double scaffold_weight = 1e-3; // that of the chart is 1
+
+  // An estimate of what a new scaffold lets the chart gain, once the chart is at rest with the present one: the
+  // energy that the latter has stored, times a safety factor.
+  static double stress(const Newton_result& whole, double energy)
+  {
+    constexpr double safety = 10;
+    return safety * (whole.energy - energy - scaffold_weight * Symmetric_Dirichlet_energy::ideal);
+  }
+
   double energy(const std::vector<Eigen::Vector2d>& uv) const
   {
     return area_average(
       m_shapes, face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart.triangles(), uv));
   }
 
-  // A few Newton steps with a new scaffold.
-  Newton_outcome do_round(std::vector<Eigen::Vector2d>& uv, Newton_result& total)
+  // A few Newton steps with a new scaffold; the energy of the result is that of both.
+  Newton_result do_round(std::vector<Eigen::Vector2d>& uv, Newton_result& total)
   {
-    constexpr double scaffold_weight = 1e-3; // that of the chart is 1
-    constexpr int factorizations = 3;        // then the scaffold has become stiff
+    constexpr int factorizations = 3; // then the scaffold has become stiff
+    constexpr double precision = 0.03; // of the solve, as a fraction of what a round has to gain
     if(!m_scaffold.build(m_chart, uv))
-      return Newton_outcome::FAILED;
+      return Newton_result();
     const int n = m_chart.number_of_vertices();
     std::vector<Triangle> triangles = m_chart.triangles();
     triangles.insert(triangles.end(), m_scaffold.triangles().begin(), m_scaffold.triangles().end());
@@ -113,17 +127,22 @@ private:
     is_fixed.resize(n + Scaffold::number_of_corners, 1);
     is_fixed.resize(uv.size(), !m_options.moves_scaffold);
 
-    Newton_solver solver(triangles, int(uv.size()), m_linear_solvers, std::move(is_fixed));
+    if(!m_ranks.empty())
+      m_ranks.resize(uv.size(), -1);
+    Newton_solver solver(triangles, int(uv.size()), m_linear_solvers, std::move(is_fixed), m_ranks);
+    if(!m_options.moves_scaffold)
+      m_ranks = solver.positions();
     Newton_options options;
     options.maximum_iterations = factorizations;
+    options.decrement = precision * m_options.decrease;
     options.go_further = m_options.go_further;
     const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
     total.decrement = result.decrement;
     if(result.outcome == Newton_outcome::FAILED || count_flips(triangles, uv) > 0)
-      return Newton_outcome::FAILED;
+      return Newton_result();
     uv.resize(n);
-    return result.outcome;
+    return result;
   }
 
   const Corner_table& m_chart;
@@ -131,6 +150,7 @@ private:
   const std::vector<double> m_weights;
   const Linear_solver_source& m_linear_solvers;
   const Scaffold_options& m_options;
+  std::vector<int> m_ranks; // of the vertices that the latest round could move
   Scaffold m_scaffold;
 };
 

@@ -25,6 +25,7 @@
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -76,7 +77,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
 inline Newton_result make_bijective(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                     const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                                     std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
-                                    const Newton_options& options)
+                                    const Newton_options& options, std::vector<int> ranks = {})
 {
   if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
     return isometric;
@@ -85,6 +86,7 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
   if(isometric.outcome == Newton_outcome::STOPPED ||
      !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
     return Newton_result();
+  scaffold_options.ranks = std::move(ranks);
   const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
   return is_bijective(chart, uv) ? result : Newton_result();
 }

@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_REFINER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_REFINER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/open_injectively.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A cut surface and a map of it without overlaps.
+struct Injective_cut
+{
+  Cut cut;
+  Corner_table chart;
+  std::vector<Eigen::Vector2d> uv;
+  double energy = 0;     // area-averaged
+  std::vector<int> tips; // of the slits that were opened
+};
+
+// Opens slits in maps without overlaps. Where parts of a chart are in each other's way, the map is more distorted than
+// one that may overlap: a slit lets them turn aside. Windows around a slit do not show that, since what turns is
+// outside; every slit that is tried is opened, and the chart solved with its scaffold.
+class Injective_refiner
+{
+public:
+  // `overlapping`: the best map of the cut that may overlap. Where the other is worse, slits help most. The references
+  // to the problem and to what the context holds are kept.
+  Injective_refiner(const Problem& problem, const Context& context, const Open_chart& overlapping)
+    : m_problem(problem), m_context(context), m_slits(problem.mesh, problem.constraints),
+      m_reference(vertex_distortion(overlapping.chart, overlapping.uv)), m_ranks(overlapping.ranks),
+      m_is_excluded(problem.mesh.number_of_vertices(), 0)
+  {}
+
+  // Until the energy is at most `goal`; false if no slit is found that helps, or if it takes too long.
+  bool lower_to(double goal, Injective_cut& cut)
+  {
+    constexpr double enough_solved_faces = 2e6; // one for each triangle in each factorization: some ten seconds
+    while(cut.energy > goal)
+      if(m_number_of_solved_faces > enough_solved_faces || !m_context.control.go_further() || !open_best(goal, cut))
+        return false;
+    return true;
+  }
+
+private:
+  struct Trial
+  {
+    Slit slit; // what lies below the goal is no gain
+    Injective_cut cut;
+  };
+
+  // The slit that gains most for its cost, of those that seem best; far from the goal, all that gain independently of
+  // each other. False if none gains.
+  bool open_best(double goal, Injective_cut& cut)
+  {
+    constexpr int maximum_number_of_attempts = 3;
+    constexpr double far = 4; // of what the best slit gains
+    std::vector<Trial> trials;
+    for(int i = 0; i < maximum_number_of_attempts && trials.empty(); ++i)
+      trials = useful_trials(goal, cut);
+    if(trials.empty())
+      return false;
+    if(trials.size() == 1 || cut.energy - goal < far * trials.front().slit.gain || !open_all(trials, cut))
+      cut = std::move(trials.front().cut);
+    return true;
+  }
+
+  // Slits are paths of one forest of shortest paths, so that together they leave a disk, too. False if they gain
+  // much less than the sum of their gains.
+  bool open_all(const std::vector<Trial>& trials, Injective_cut& cut)
+  {
+    constexpr double share = 0.8; // of that sum
+    std::vector<int> edges, tips = cut.tips;
+    double gain = 0;
+    for(const Trial& t : trials)
+    {
+      edges.insert(edges.end(), t.slit.edges.begin(), t.slit.edges.end());
+      tips.push_back(t.slit.tip);
+      gain += t.slit.gain;
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    Injective_cut all = opened(cut, edges, std::move(tips));
+    if(cut.energy - all.energy < share * gain)
+      return false;
+    cut = std::move(all);
+    return true;
+  }
+
+  // Those that gain, the best first. None costs more than one that reaches the goal.
+  std::vector<Trial> useful_trials(double goal, const Injective_cut& cut)
+  {
+    constexpr double least_gain = 2e-4; // less is within the precision of the trials
+    std::vector<Trial> trials;
+    for(Slit& slit : proposals(cut))
+    {
+      std::vector<int> tips = cut.tips;
+      tips.push_back(slit.tip);
+      Injective_cut trial = opened(cut, slit.edges, std::move(tips));
+      slit.gain = cut.energy - (std::max)(trial.energy, goal);
+      const bool is_enough = trial.energy <= goal;
+      if(is_enough || slit.gain > least_gain)
+        trials.push_back({std::move(slit), std::move(trial)});
+      else
+        m_is_excluded[slit.tip] = 1;
+      if(is_enough)
+        break;
+    }
+    std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b)
+                     { return a.slit.gain_per_cost() > b.slit.gain_per_cost(); });
+    return trials;
+  }
+
+  // To where the map is worse than the overlapping one, and to where it is bad; the cheapest first.
+  std::vector<Slit> proposals(const Injective_cut& cut)
+  {
+    constexpr std::size_t number_of_each = 2;
+    const std::vector<double> distortion = vertex_distortion(cut.chart, cut.uv);
+    std::vector<double> excess = distortion;
+    for(std::size_t v = 0; v < excess.size(); ++v)
+      excess[v] += Symmetric_Dirichlet_energy::ideal - m_reference[v];
+    std::vector<Slit> slits = m_slits.proposals(cut.cut, excess, m_is_excluded, number_of_each);
+    for(Slit& slit : m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each))
+      if(std::none_of(slits.begin(), slits.end(), [&](const Slit& other) { return other.tip == slit.tip; }))
+        slits.push_back(std::move(slit));
+    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b) { return a.cost < b.cost; });
+    return slits;
+  }
+
+  Injective_cut opened(const Injective_cut& cut, const std::vector<int>& edges, std::vector<int> tips)
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    Injective_cut result = cut;
+    result.tips = std::move(tips);
+    std::vector<int> halfedges;
+    for(int e : edges)
+    {
+      result.cut[e] = 1;
+      halfedges.push_back(m_problem.mesh.halfedge(e));
+    }
+    open_injectively(halfedges, result.chart, result.uv);
+    Scaffold_options options;
+    options.decrease = 4e-4; // the slit is narrow at first, and what it gains comes late
+    options.maximum_rounds = 6;
+    if(!m_ranks.empty())
+      for(int origin : result.chart.origins())
+        options.ranks.push_back(m_ranks[origin]);
+    options.go_further = m_context.control;
+    const Newton_result newton = Scaffold_minimization(result.chart, m_problem.shapes,
+                                                       *m_context.parameters.linear_solvers, options)(result.uv);
+    m_number_of_solved_faces += double(newton.iterations) * m_problem.mesh.number_of_faces();
+    result.energy = is_bijective(result.chart, result.uv) ? newton.energy : std::numeric_limits<double>::infinity();
+    return result;
+  }
+
+  std::vector<double> vertex_distortion(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv) const
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    return vertex_averages(m_problem.shapes, m_problem.mesh.triangles(),
+                           face_energies<Symmetric_Dirichlet_energy>(m_problem.shapes, chart.triangles(), uv),
+                           m_problem.mesh.number_of_vertices());
+  }
+
+  const Problem& m_problem;
+  const Context m_context;
+  Slit_search m_slits;
+  const std::vector<double> m_reference; // per vertex of the surface
+  const std::vector<int> m_ranks;        // per vertex of the surface, see `Open_chart`
+  std::vector<char> m_is_excluded;       // per vertex of the surface
+  double m_number_of_solved_faces = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_REFINER_H
