@@ -53,12 +53,15 @@ public:
     Refiner refiner(m_problem, m_context);
     if(!connect(refiner, detected, result) || !(needs_map || refines()))
       return result;
-    if(!map(refiner, result))
+    const bool is_refined = detected.is_refined && !m_is_coarsened;
+    if(is_refined)
+      refiner.replace_tree(std::move(detected.chart));
+    else if(!map(refiner, result))
       return result;
     // Where connecting the features loses too much, the filter's own cut is better.
-    if(refiner.cut().chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
+    else if(refiner.cut().chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
       refiner.replace_tree(std::move(detected.chart));
-    refine_and_parameterize(refiner, detected.repair_threshold, result);
+    refine_and_parameterize(refiner, detected.repair_threshold, is_refined ? 0 : number_of_solves(), result);
     result.add(refiner.cut().trade_offs());
     result.keep_undominated_trade_offs();
     return result;
@@ -69,6 +72,11 @@ private:
   bool refines() const
   {
     return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
+  }
+
+  int number_of_solves() const
+  {
+    return m_is_coarsened ? m_parameters.number_of_corrective_solves : m_parameters.number_of_shortening_solves;
   }
 
   bool connect(Refiner& refiner, const Detected_features& detected, Component_result& result) const
@@ -114,12 +122,11 @@ private:
   }
 
   // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
-  void refine_and_parameterize(Refiner& refiner, double repair_threshold, Component_result& result) const
+  void refine_and_parameterize(Refiner& refiner, double repair_threshold, int number_of_solves,
+                               Component_result& result) const
   {
     const double bound = m_parameters.maximum_average_distortion;
-    refine_and_parameterize(refiner, {bound, repair_threshold, m_is_coarsened ? m_parameters.number_of_corrective_solves
-                                                                              : m_parameters.number_of_shortening_solves},
-                            result);
+    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves}, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
       tighten(refiner, repair_threshold, result);
     if(result.status && result.energy > bound)
