@@ -30,17 +30,17 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Whether features come from several starts. A given cut, or the paper, says where to begin; where edges have weights,
-// ends move to cheap places from anywhere.
+// Whether features come from several starts. A given cut, or the paper, says where to begin; where edges have
+// weights, ends move to cheap places from anywhere.
 inline bool searches(const Problem& problem, const Cutting_parameters& parameters)
 {
   return parameters.number_of_starts > 1 && !problem.initial.is_given() && !parameters.has_weights;
 }
 
-// Cuts from several starts, of which the best is refined. All but the first look for features on coarser versions of the
-// problem's surface, each on one of another size, which changes more than another first cut does. Their cuts are mapped
-// on the surface itself; only the one that promises most is worth many solves. On request, cuts through its features and
-// those of others follow, from which refinement removes what is not needed.
+// Cuts from several starts, of which the best is refined. All but the first look for features on coarser versions of
+// the problem's surface, each on one of another size, which changes more than another first cut does. Their cuts are
+// mapped on the surface itself; only those that promise most are worth many solves. On request, cuts through the
+// features of the best and those of others follow, from which refinement removes what is not needed.
 template <typename ConcurrencyTag>
 class Cut_search
 {
@@ -67,10 +67,10 @@ public:
     std::stable_sort(found.begin(), found.end(),
                      [this](const Found& a, const Found& b) { return expected_cost(a) < expected_cost(b); });
     Detected_features result = found.front().detected;
+    if(found.front().cost < infinity)
+      combine(found, result);
     if(m_control.is_stopped())
       result.status = failure(m_control);
-    if(result.status && found.front().cost < infinity)
-      combine(found, result);
     return result;
   }
 
@@ -237,8 +237,8 @@ private:
     return found;
   }
 
-  // Without a bound: the best of several cuts has less distortion than that of one start, and gives some of it back for a
-  // shorter cut.
+  // Without a bound: the best of several cuts has less distortion than that of one start, and gives some of it back
+  // for a shorter cut.
   Cutting_parameters exchange_parameters() const
   {
     constexpr double more_distortion = 2, more_per_cost = 1.2; // energies remain about as they were

@@ -49,7 +49,11 @@ public:
     result.number_of_candidates = detected.number_of_candidates;
     result.add(detected.trade_offs);
     if(!result.status)
+    {
+      if(detected.is_refined && !m_is_coarsened) // the search was stopped, and had a cut
+        take_found(std::move(detected), result);
       return result;
+    }
     Refiner refiner(m_problem, m_context);
     if(!connect(refiner, detected, result) || !(needs_map || refines()))
       return result;
@@ -68,6 +72,21 @@ public:
   }
 
 private:
+  // What was found when the run was stopped. Its map may overlap.
+  void take_found(Detected_features detected, Component_result& result) const
+  {
+    result.has_cut = true;
+    result.has_map = !m_parameters.do_bijective;
+    result.features = std::move(detected.features);
+    result.cut = std::move(detected.chart.cut);
+    result.length = cut_length(m_problem.mesh, result.cut);
+    result.cost = cut_cost(m_problem.constraints, result.cut);
+    result.chart = std::move(detected.chart.chart);
+    result.uv = std::move(detected.chart.uv);
+    result.energy = detected.chart.energy;
+    result.keep_undominated_trade_offs();
+  }
+
   // Where features are found on a coarser version, refinement without a bound or a given cut happens there.
   bool refines() const
   {

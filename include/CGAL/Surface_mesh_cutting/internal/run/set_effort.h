@@ -51,8 +51,8 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
   }
 }
 
-// The runs of which the best result is returned. The best effort contains the smaller ones, also from the first seeds, so
-// that it is no worse than these. Where no first cut is looked for, seeds make no difference.
+// The runs of which the best result is returned. The best effort contains the smaller ones, also from the first seeds,
+// so that it is no worse than these. Where no first cut is looked for, seeds make no difference.
 inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& parameters, bool has_seeds)
 {
   constexpr unsigned int number_of_seeds = 3;
