@@ -106,7 +106,7 @@ class Stopping(Case):
         os.mkfifo(self.folder / "pipe")
         for number in (*SIGNALS, signal.SIGQUIT):
             self.write("small.uv.obj", "former")
-            program = self.start("small.off", "-o", "pipe", "--svg", "small.uv.obj")
+            program = self.start("small.off", "--effort", "fast", "-o", "pipe", "--svg", "small.uv.obj")
             time.sleep(0.2)  # waits for a reader, with a temporary file
             self.assertEqual(len(self.files()), 4)
             for _ in range(1 if number == signal.SIGQUIT else 2):

@@ -196,7 +196,8 @@ void add_method_options(CLI::App& app, Options& options)
   const std::string group = "Method";
   constexpr double largest = 1e9, ideal = 4;
   app.add_option("--effort", options.effort,
-                 "How hard to look for a short cut: fast does not shorten\nit, best tries several starts and many variants")
+                 "How hard to look for a short cut: fast does not shorten\nit, default tries a few starts, best many more and\n"
+                 "combinations of them")
     ->check(CLI::IsMember({"fast", "default", "best"}))->default_str(options.effort)->group(group);
   app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
   app.add_option("--connect", options.connect,

@@ -24,8 +24,9 @@ enum class Effort
 {
   FAST,    ///< feature detection and connection only, unless a bound or an initial cut requires more, or the connected
            ///< cut is twice as distorted as that of the detection
-  DEFAULT, ///< also a few attempts to shorten the cut at about the same distortion
-  BEST     ///< several starts at full resolution, each with many such attempts; the best result wins
+  DEFAULT, ///< a small search: several starts, the best of which is shortened at about the same distortion
+  BEST     ///< a large search: more starts, also combined with each other, and all that the smaller efforts find from
+           ///< several seeds; the best result wins
 };
 
 } // namespace Surface_mesh_cutting

@@ -52,7 +52,9 @@ struct Cutting_parameters
   bool use_published_method = false;
   // Whether the final map of a component has to be injective, too.
   bool do_bijective = false;
-  int number_of_starts = 1;
+  int number_of_starts = 1;            // of a search for features; one: there is no search
+  int number_of_combinations = 0;      // of what starts find, at most
+  bool runs_all_efforts = false;       // also the smaller ones; the best result is returned
   int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
   int number_of_shortening_solves = 0; // at most, where features are found
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
@@ -74,10 +76,15 @@ struct Cutting_parameters
   void adapt_to_weights()
   {
     constexpr double surface_over_cut = 1.5; // of the average costs per length
-    constexpr int least_number_of_solves = 16;
     has_weights = true;
     decrease_per_cost *= surface_over_cut;
-    if(number_of_shortening_solves > 0)
+    adapt_solves_to_weights();
+  }
+
+  void adapt_solves_to_weights()
+  {
+    constexpr int least_number_of_solves = 16;
+    if(has_weights && number_of_shortening_solves > 0)
       number_of_shortening_solves = (std::max)(number_of_shortening_solves, least_number_of_solves);
   }
 

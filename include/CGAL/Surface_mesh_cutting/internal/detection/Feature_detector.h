@@ -35,6 +35,7 @@ struct Detected_features
   int number_of_candidates = 0;
   std::vector<int> features; // sorted, with the terminals
   Open_chart chart;          // opened along the paths that led to them; empty if found on a coarser version
+  bool is_refined = false;   // the chart, along a cut through the features
   std::vector<Trade_off> trade_offs;
   // Whether their map has so much distortion that no cut seems to lead to a useful one.
   bool is_hopeless = false;

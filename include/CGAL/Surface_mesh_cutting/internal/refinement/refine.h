@@ -35,6 +35,7 @@ struct Refinement_goal
   double repair_threshold; // see `Detected_features`; without a bound
   int number_of_solves;    // at most, for shortening
   bool keeps_tree = false; // see `Refinement_limits`
+  double least_limit = 0;  // of the energy, without a bound: so much is allowed in any case
 };
 
 // Where edges have weights, cheap slits make room for the loss of expensive branches, whose ends move.
@@ -63,7 +64,8 @@ void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, c
   else
   {
     refiner.reduce_distortion_to(goal.repair_threshold, parameters.decrease_per_cost);
-    limits.energy = refiner.cut().chart().energy + parameters.minimum_distortion_decrease;
+    limits.energy = (std::max)(goal.least_limit,
+                               refiner.cut().chart().energy + parameters.minimum_distortion_decrease);
     limits.energy_per_cost = parameters.decrease_per_cost;
   }
   if(parameters.has_weights && goal.number_of_solves > 0)

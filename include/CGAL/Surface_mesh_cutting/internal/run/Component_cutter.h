@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
 #include <algorithm>
 #include <limits>
@@ -44,29 +45,32 @@ public:
     result.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!result.status)
       return result;
-    Detected_features detected = detect_features<ConcurrencyTag>(m_problem, 0, m_context);
+    Cutting_parameters parameters = m_context.parameters;
+    parameters.number_of_starts = 1; // what is asked for is what the paper detects
+    Detected_features detected
+      = detect_features<ConcurrencyTag>(m_problem, 0, Context{parameters, m_context.control, m_context.clock});
     result.status = detected.status;
     result.number_of_candidates = detected.number_of_candidates;
     result.features = std::move(detected.features);
     return result;
   }
 
-  // Runs from as many starts as the parameters say. The best is the cheapest of those whose energy
-  // is within epsilon_iso of the lowest, if possible among those that keep the bound. Only where no cut is there
-  // yet, the start matters.
+  // Runs as often as the effort says; the best result is returned, with the cuts that any run has seen.
   Component_result run(bool needs_uv)
   {
-    const bool is_closed = m_problem.is_sphere && !m_problem.initial.is_given();
-    const int number_of_starts = is_closed ? m_context.parameters.number_of_starts : 1;
+    const bool has_seeds = m_problem.is_sphere && !m_problem.initial.is_given(); // that lead to other first cuts
+    const std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
     Component_result failed;
     failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!failed.status)
       return failed;
-    const Start_run<ConcurrencyTag> run_from(m_problem, m_context);
     std::vector<Component_result> results;
-    for(int i = 0; i < number_of_starts && m_context.control.go_further(); ++i)
+    for(const Cutting_parameters& parameters : runs)
     {
-      Component_result result = run_from(i, needs_uv || number_of_starts > 1);
+      if(!m_context.control.go_further())
+        break;
+      const Start_run<ConcurrencyTag> run_with(m_problem, Context{parameters, m_context.control, m_context.clock});
+      Component_result result = run_with(0, needs_uv || runs.size() > 1);
       if(!result.has_cut && results.empty())
         return result;
       if(result.has_cut)
@@ -83,18 +87,38 @@ public:
 private:
   Component_result best_of(std::vector<Component_result>& results) const
   {
-    const Cutting_parameters& parameters = m_context.parameters;
-    double lowest = std::numeric_limits<double>::infinity();
+    Component_result& best = *std::min_element(results.begin(), results.end(), [this](const auto& a, const auto& b)
+                                               { return is_better(a, b); });
+    if(results.size() == 1)
+      return std::move(best);
+    std::vector<Trade_off> seen;
     for(const Component_result& r : results)
-      lowest = (std::min)(lowest, r.energy);
-    const double limit = has_bound(parameters) ? (std::max)(parameters.maximum_average_distortion, lowest)
-                                               : lowest + parameters.minimum_distortion_decrease;
-    Component_result* best = nullptr;
-    for(Component_result& r : results)
-      if(r.energy <= limit && (best == nullptr || r.cost < best->cost))
-        best = &r;
-    return std::move(*best);
+    {
+      seen.insert(seen.end(), r.trade_offs.begin(), r.trade_offs.end());
+      if(r.has_map)
+        seen.push_back({r.length, r.cost, r.energy});
+    }
+    best.trade_offs = std::move(seen);
+    best.keep_undominated_trade_offs();
+    return std::move(best);
   }
+
+  // The cheaper one that keeps the bound; without a bound, cost counts as much as where features are accepted, so that
+  // no other result is better in both.
+  bool is_better(const Component_result& a, const Component_result& b) const
+  {
+    const Cutting_parameters& parameters = m_context.parameters;
+    const double bound = parameters.maximum_average_distortion;
+    const auto rank = [&](const Component_result& r)
+    {
+      const double excess = !r.has_map ? infinity : has_bound(parameters) ? (std::max)(0., r.energy - bound) : 0;
+      const double value = has_bound(parameters) ? r.cost : r.energy + parameters.decrease_per_cost * r.cost;
+      return std::make_pair(excess, value);
+    };
+    return rank(a) < rank(b);
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   Problem m_problem;
   const Context m_context;

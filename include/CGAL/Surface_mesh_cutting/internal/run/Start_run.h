@@ -50,26 +50,53 @@ public:
     result.number_of_candidates = detected.number_of_candidates;
     result.add(detected.trade_offs);
     if(!result.status)
+    {
+      if(detected.is_refined && !m_is_coarsened) // the search was stopped, and had a cut
+        take_found(std::move(detected), result);
       return result;
+    }
     Refiner refiner(m_problem, m_context);
     if(!connect(refiner, detected, result) || !(needs_map || refines()))
       return result;
-    if(!map(refiner, result))
+    const bool is_refined = detected.is_refined && !m_is_coarsened;
+    if(is_refined)
+      refiner.replace_tree(std::move(detected.chart));
+    else if(!map(refiner, result))
       return result;
     // Where connecting the features loses too much, the filter's own cut is better.
-    if(refiner.cut().chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
+    else if(refiner.cut().chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
       refiner.replace_tree(std::move(detected.chart));
-    refine_and_parameterize(refiner, detected.repair_threshold, result);
+    refine_and_parameterize(refiner, detected.repair_threshold, is_refined ? 0 : number_of_solves(), result);
     result.add(refiner.cut().trade_offs());
     result.keep_undominated_trade_offs();
     return result;
   }
 
 private:
+  // What was found when the run was stopped. Its map may overlap.
+  void take_found(Detected_features detected, Component_result& result) const
+  {
+    result.has_cut = true;
+    result.has_map = !m_parameters.do_bijective;
+    result.features = std::move(detected.features);
+    result.cut = std::move(detected.chart.cut);
+    result.length = cut_length(m_problem.mesh, result.cut);
+    result.cost = cut_cost(m_problem.constraints, result.cut);
+    result.chart = std::move(detected.chart.chart);
+    result.uv = std::move(detected.chart.uv);
+    result.energy = detected.chart.energy;
+    result.keep_undominated_trade_offs();
+  }
+
   // Where features are found on a coarser version, refinement without a bound or a given cut happens there.
   bool refines() const
   {
     return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
+  }
+
+  int number_of_solves() const
+  {
+    return m_is_coarsened ? m_parameters.number_of_corrective_solves : m_parameters.number_of_shortening_solves;
   }
 
   bool connect(Refiner& refiner, const Detected_features& detected, Component_result& result) const
@@ -115,12 +142,11 @@ private:
   }
 
   // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
-  void refine_and_parameterize(Refiner& refiner, double repair_threshold, Component_result& result) const
+  void refine_and_parameterize(Refiner& refiner, double repair_threshold, int number_of_solves,
+                               Component_result& result) const
   {
     const double bound = m_parameters.maximum_average_distortion;
-    refine_and_parameterize(refiner, {bound, repair_threshold, m_is_coarsened ? m_parameters.number_of_corrective_solves
-                                                                              : m_parameters.number_of_shortening_solves},
-                            result);
+    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves}, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
       tighten(refiner, repair_threshold, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective)

@@ -14,12 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/coarse_constraints.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/Feature_detector.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Local_filter.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/open_handles.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Cut_search.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
 
 #include <algorithm>
 #include <utility>
@@ -28,92 +25,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// Whether features are found on a coarser version. A mesh only little larger than the target would not become much
-// simpler. A given cut lies on the surface itself.
-inline bool is_coarsened(const Problem& problem, const Cutting_parameters& parameters)
-{
-  constexpr double least_ratio = 1.25;
-  return parameters.coarse_number_of_faces > 0 && !problem.initial.is_given() &&
-         problem.mesh.number_of_faces() > least_ratio * parameters.coarse_number_of_faces;
-}
-
-// Whether a connected cut is refined where its features were found.
-inline bool refines(const Problem& problem, const Cutting_parameters& parameters)
-{
-  return has_bound(parameters) || problem.initial.is_given() || parameters.number_of_shortening_solves > 0;
-}
-
-// A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few
-// features: measured at full resolution, the energy is as low as that of features found there with this factor.
-inline Cutting_parameters parameters_on_coarse_mesh(const Cutting_parameters& parameters)
-{
-  constexpr double resolved_gain = 0.85;
-  Cutting_parameters result = parameters;
-  result.minimum_distortion_decrease *= resolved_gain;
-  result.decrease_per_cost *= resolved_gain;
-  return result;
-}
-
-// Keeps those of the features that a cut through them needs once it is refined.
-template <typename ConcurrencyTag>
-void refine_features(const Problem& problem, const Context& context, Detected_features& detected)
-{
-  const Phase_clock::Measurement measurement(context.clock, Phase::REFINE);
-  const Cutting_parameters& parameters = context.parameters;
-  Cut_refiner<ConcurrencyTag> refiner(problem, context);
-  if(refiner.connect(detected.features, !detected.is_hopeless) && refiner.map())
-  {
-    constexpr bool keeps_tree = true; // only the features are handed on
-    refine(refiner, {parameters.maximum_average_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
-                     keeps_tree}, parameters);
-    detected.features = refiner.cut().features();
-  }
-  detected.trade_offs.insert(detected.trade_offs.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());
-  if(context.control.is_stopped())
-    detected.status = failure(context.control);
-}
-
-// The features on the surface itself that are reachable there, and its terminals.
-inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, const std::vector<int>& features)
-{
-  const std::vector<char> is_reachable = reachable_vertices(fine.mesh, fine.constraints);
-  std::vector<int> result = fine.terminals;
-  for(int v : features)
-    if(is_reachable[coarse.vertices[v]])
-      result.push_back(coarse.vertices[v]);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
-// Unreachable features are removed when lifted. Also refines here, where that is cheap.
-template <typename ConcurrencyTag>
-Detected_features detect_features_on_coarse_mesh(const Problem& fine, int start, const Context& context)
-{
-  using namespace Surface_mesh_parameterization::internal;
-  const Coarse_mesh coarse = [&]
-  {
-    const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
-    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals);
-  }();
-  const std::vector<int> terminals = coarse.find(fine.terminals);
-  Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
-                  coarse_constraints(fine.mesh, fine.constraints, coarse, terminals), terminals,
-                  Initial_cut(), fine.is_sphere};
-  Detected_features detected;
-  if(!problem.is_sphere)
-    detected.status = cut_handles_of(problem, context);
-  if(!detected.status)
-    return detected;
-  const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
-  detected = Feature_detector<ConcurrencyTag>(problem, Context{parameters, context.control, context.clock}).run(start);
-  if(detected.status && refines(problem, context.parameters))
-    refine_features<ConcurrencyTag>(problem, context, detected);
-  detected.features = lifted(fine, coarse, detected.features);
-  detected.chart = Open_chart();
-  return detected;
-}
 
 // The features of a surface without handles (paper, Section 3.1), from the given start.
 // On a surface that is opened to a disk, on a coarser version of that disk.
@@ -148,18 +59,27 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
   return detected;
 }
 
+// From one start, or from as many as the parameters say.
 template <typename ConcurrencyTag>
 Detected_features detect_features(const Problem& problem, int start, const Context& context)
 {
   if(problem.is_opened)
     return detect_features_of_disk(problem, context);
+  const bool does_search = searches(problem, context.parameters);
   if(is_coarsened(problem, context.parameters))
   {
-    Detected_features detected = detect_features_on_coarse_mesh<ConcurrencyTag>(problem, start, context);
+    Detected_features detected
+      = find_on_coarse_mesh(problem, context, [&](const Problem& coarse, const Context& c)
+                            {
+                              return does_search ? Cut_search<ConcurrencyTag>(coarse, c, true).run(start)
+                                                 : refined_features<ConcurrencyTag>(coarse, start, c);
+                            });
     const std::size_t enough = problem.is_sphere ? 2 : 0; // a tree of one point opens nothing
     if(!detected.status || detected.features.size() >= enough)
       return detected;
   }
+  else if(does_search)
+    return Cut_search<ConcurrencyTag>(problem, context, false).run(start);
   return Feature_detector<ConcurrencyTag>(problem, context).run(start);
 }
 

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/Connection.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
@@ -47,29 +48,6 @@ inline Steiner_method steiner_method(Connection connection, bool use_published_m
   }
 }
 
-// The sizes and budgets were found by measuring (see benchmark/constants); all count work, not seconds.
-inline void set_effort(Effort effort, Cutting_parameters& p)
-{
-  const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();
-  switch(effort)
-  {
-  case Effort::FAST:
-    p.coarse_number_of_faces = 5000;
-    p.number_of_shortening_solves = has_bound ? 20 : 0;
-    break;
-  case Effort::DEFAULT:
-    p.coarse_number_of_faces = 5000;
-    p.number_of_shortening_solves = has_bound ? 60 : 8;
-    break;
-  case Effort::BEST:
-    p.number_of_starts = 4;
-    p.number_of_shortening_solves = has_bound ? 300 : 60;
-    break;
-  }
-  p.number_of_corrective_solves = has_bound ? 8 : 0;
-}
-
-// The parameters of the method from named parameters.
 template <typename NamedParameters>
 Cutting_parameters read_cutting_parameters(const NamedParameters& np)
 {

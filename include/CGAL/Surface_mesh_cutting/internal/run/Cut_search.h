@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CUT_SEARCH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CUT_SEARCH_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Whether features come from several starts. A given cut, or the paper, says where to begin; where edges have
+// weights, ends move to cheap places from anywhere.
+inline bool searches(const Problem& problem, const Cutting_parameters& parameters)
+{
+  return parameters.number_of_starts > 1 && !problem.initial.is_given() && !parameters.has_weights;
+}
+
+// Cuts from several starts, of which the best is refined. All but the first look for features on coarser versions of
+// the problem's surface, each on one of another size, which changes more than another first cut does. Their cuts are
+// mapped on the surface itself; only those that promise most are worth many solves. On request, cuts through the
+// features of the best and those of others follow, from which refinement removes what is not needed.
+template <typename ConcurrencyTag>
+class Cut_search
+{
+  using Refiner = Cut_refiner<ConcurrencyTag>;
+
+  static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  // The references are kept. Of a coarser version, only features are handed on; then the cut remains a tree.
+  Cut_search(const Problem& problem, const Context& context, bool is_coarser_version)
+    : m_problem(problem), m_context(context), m_parameters(context.parameters), m_control(context.control),
+      m_keeps_tree(is_coarser_version)
+  {}
+
+  Detected_features run(int first_start)
+  {
+    std::vector<Found> found(m_parameters.number_of_starts);
+    for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
+    {
+      if(m_control.go_further())
+        found[i] = find(first_start + i, i);
+    });
+    std::stable_sort(found.begin(), found.end(),
+                     [this](const Found& a, const Found& b) { return expected_cost(a) < expected_cost(b); });
+    Detected_features result = found.front().detected;
+    if(found.front().cost < infinity)
+      combine(found, result);
+    if(m_control.is_stopped())
+      result.status = failure(m_control);
+    return result;
+  }
+
+private:
+  // Features, and the cut through them.
+  struct Found
+  {
+    Detected_features detected;
+    Open_chart chart;
+    double cost = infinity; // no cut was mapped
+    double energy = infinity;
+    std::vector<Trade_off> trade_offs;
+  };
+
+  Found find(int start, int place) const
+  {
+    Found found;
+    found.detected = detect(start, place);
+    if(found.detected.status)
+      map(found);
+    return found;
+  }
+
+  Detected_features detect(int start, int place) const
+  {
+    constexpr double number_of_faces = 2000; // of the coarser versions: enough for all but details
+    constexpr double largest_share = 0.4;    // of the faces; with more, a start would cost as much as on the surface
+    constexpr int solves_with_bound = 14, solves_without_bound = 6;
+    Cutting_parameters parameters = m_parameters;
+    parameters.number_of_starts = 1;
+    parameters.number_of_shortening_solves = has_bound(m_parameters) ? solves_with_bound : solves_without_bound;
+    parameters.coarse_number_of_faces
+      = int(relative_size(place) * (std::min)(number_of_faces, largest_share * m_problem.mesh.number_of_faces()));
+    const Context context{parameters, m_control, m_context.clock};
+    if(place == 0 || !is_coarsened(m_problem, parameters)) // one start at least sees all details
+      return refined_features<ConcurrencyTag>(m_problem, start, context);
+    Detected_features detected
+      = find_on_coarse_mesh(m_problem, context, [start](const Problem& coarse, const Context& c)
+                            { return refined_features<ConcurrencyTag>(coarse, start, c); });
+    detected.trade_offs.clear(); // so coarse a version tells too little about the surface
+    return detected;
+  }
+
+  // Between 0.7 and 1.4, evenly spread however many there are.
+  static double relative_size(int place)
+  {
+    constexpr double golden_ratio = 0.6180339887498949;
+    const double position = place * golden_ratio + 0.5;
+    return std::exp2(position - std::floor(position) - 0.5);
+  }
+
+  void map(Found& found) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    Refiner refiner(m_problem, m_context);
+    if(refiner.connect(found.detected.features, false) && refiner.map())
+      take(refiner, found);
+  }
+
+  static void take(const Refiner& refiner, Found& found)
+  {
+    found.detected.features = refiner.cut().features();
+    found.chart = refiner.cut().chart();
+    found.cost = refiner.cut().cost();
+    found.energy = refiner.cut().energy();
+    found.trade_offs = refiner.cut().trade_offs();
+  }
+
+  // The smaller, the better; with a bound, what the cut is likely to cost once it is at the bound: the excess of the
+  // energy falls about with the third power of the length.
+  double expected_cost(const Found& found) const
+  {
+    if(!has_bound(m_parameters))
+      return found.energy + exchange_parameters().decrease_per_cost * found.cost;
+    return found.cost * std::cbrt((found.energy - ideal) / (m_parameters.maximum_average_distortion - ideal));
+  }
+
+  bool is_better(const Found& a, const Found& b) const
+  {
+    const auto rank = [this](const Found& f)
+    {
+      if(!has_bound(m_parameters))
+        return std::make_pair(0., expected_cost(f));
+      return std::make_pair((std::max)(0., f.energy - m_parameters.maximum_average_distortion), f.cost);
+    };
+    return rank(a) < rank(b);
+  }
+
+  // Refines the first, and then its features together with those of the next ones.
+  void combine(const std::vector<Found>& found, Detected_features& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    const double least_limit = found.front().energy + exchange_parameters().minimum_distortion_decrease;
+    const auto limited = [&](int number_of_solves)
+    {
+      return Refinement_goal{m_parameters.maximum_average_distortion, result.repair_threshold, number_of_solves,
+                             m_keeps_tree, least_limit};
+    };
+    Found best = refined_best(found, limited, result.trade_offs);
+    const std::size_t last = (std::min)(found.size(), std::size_t(m_parameters.number_of_combinations + 1));
+    for(std::size_t i = 1; i < last && m_control.go_further(); ++i)
+    {
+      constexpr int number_of_solves = 24; // most of the features are good already
+      std::vector<int> united = best.detected.features;
+      if(found[i].cost == infinity || !add_remote(found[i].detected.features, best.chart.cut, united))
+        continue;
+      Refiner refiner(m_problem, m_context);
+      Found other = refined(refiner, united, limited(number_of_solves));
+      add(other.trade_offs, result.trade_offs);
+      if(is_better(other, best))
+        best = std::move(other);
+    }
+    result.features = std::move(best.detected.features);
+    std::sort(result.features.begin(), result.features.end());
+    result.chart = std::move(best.chart);
+    result.is_refined = true;
+  }
+
+  // Of the first ones, each refined a little, refines the best further. What a cut becomes is known to a few percent
+  // only; without a bound, it is what counts.
+  template <typename Limited>
+  Found refined_best(const std::vector<Found>& found, const Limited& limited, std::vector<Trade_off>& trade_offs) const
+  {
+    constexpr int solves_with_bound = 20, solves_without_bound = 4, finalists_with_bound = 2;
+    constexpr int more_solves_with_bound = 40, more_solves_without_bound = 6;
+    const bool is_bounded = has_bound(m_parameters);
+    const int number_of_finalists = (std::min)(is_bounded ? finalists_with_bound : 1, int(found.size()));
+    std::vector<Refiner> refiners(number_of_finalists, Refiner(m_problem, m_context));
+    std::vector<Found> finalists(number_of_finalists);
+    for_each_index_in_isolation<ConcurrencyTag>(number_of_finalists, [&](int i)
+    {
+      if(found[i].cost < infinity)
+        finalists[i] = refined(refiners[i], found[i].detected.features,
+                               limited(is_bounded ? solves_with_bound : solves_without_bound));
+    });
+    const auto better = [this](const Found& a, const Found& b) { return is_better(a, b); };
+    const auto first = std::min_element(finalists.begin(), finalists.end(), better);
+    Refiner& refiner = refiners[first - finalists.begin()];
+    Found last;
+    if(first->cost < infinity && m_control.go_further())
+      last = refined_further(refiner, limited(is_bounded ? more_solves_with_bound : more_solves_without_bound));
+    for(const Refiner& r : refiners)
+      add(r.cut().trade_offs(), trade_offs);
+    return (std::min)({found.front(), *first, last}, better);
+  }
+
+  static void add(const std::vector<Trade_off>& others, std::vector<Trade_off>& trade_offs)
+  {
+    trade_offs.insert(trade_offs.end(), others.begin(), others.end());
+  }
+
+  Found refined(Refiner& refiner, const std::vector<int>& features, const Refinement_goal& goal) const
+  {
+    if(!refiner.connect(features, false) || !refiner.map())
+      return Found();
+    return refined_further(refiner, goal);
+  }
+
+  Found refined_further(Refiner& refiner, const Refinement_goal& goal) const
+  {
+    refine(refiner, goal, exchange_parameters());
+    Found found;
+    take(refiner, found);
+    return found;
+  }
+
+  // Without a bound: the best of several cuts has less distortion than that of one start, and gives some of it back
+  // for a shorter cut.
+  Cutting_parameters exchange_parameters() const
+  {
+    constexpr double more_distortion = 2, more_per_cost = 1.2; // energies remain about as they were
+    Cutting_parameters parameters = m_parameters;
+    parameters.minimum_distortion_decrease *= more_distortion;
+    parameters.decrease_per_cost *= more_per_cost;
+    return parameters;
+  }
+
+  // Adds those that are not at the cut already. False if all are.
+  bool add_remote(const std::vector<int>& others, const Cut& cut, std::vector<int>& features) const
+  {
+    constexpr double distance = 3; // in average edges; slits find what is nearer
+    const double nearest = distance * average_edge_length(m_problem.mesh);
+    CGAL::internal::Graph_kernel::Shortest_paths paths(m_problem.mesh.graph());
+    const std::vector<char> is_open = open_vertices(m_problem.mesh, cut);
+    for(int v = 0; v < m_problem.mesh.number_of_vertices(); ++v)
+      if(is_open[v])
+        paths.add_source(v);
+    paths.run();
+    const std::size_t size = features.size();
+    std::copy_if(others.begin(), others.end(), std::back_inserter(features),
+                 [&](int v) { return paths.distance(v) > nearest; });
+    return features.size() > size;
+  }
+
+  const Problem& m_problem;
+  const Context m_context;
+  const Cutting_parameters& m_parameters;
+  Run_control& m_control;
+  const bool m_keeps_tree;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CUT_SEARCH_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_FEATURES_OF_START_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_FEATURES_OF_START_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/coarse_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/Feature_detector.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/open_handles.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Whether features are found on a coarser version. A mesh only little larger than the target would not become much
+// simpler. A given cut lies on the surface itself.
+inline bool is_coarsened(const Problem& problem, const Cutting_parameters& parameters)
+{
+  constexpr double least_ratio = 1.25;
+  return parameters.coarse_number_of_faces > 0 && !problem.initial.is_given() &&
+         problem.mesh.number_of_faces() > least_ratio * parameters.coarse_number_of_faces;
+}
+
+// Whether a connected cut is refined where its features were found.
+inline bool refines(const Problem& problem, const Cutting_parameters& parameters)
+{
+  return has_bound(parameters) || problem.initial.is_given() || parameters.number_of_shortening_solves > 0;
+}
+
+// A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few
+// features: measured at full resolution, the energy is as low as that of features found there with this factor.
+inline Cutting_parameters parameters_on_coarse_mesh(const Cutting_parameters& parameters)
+{
+  constexpr double resolved_gain = 0.85;
+  Cutting_parameters result = parameters;
+  result.minimum_distortion_decrease *= resolved_gain;
+  result.decrease_per_cost *= resolved_gain;
+  return result;
+}
+
+// Keeps those of the features that a cut through them needs once it is refined.
+template <typename ConcurrencyTag>
+void refine_features(const Problem& problem, const Context& context, Detected_features& detected)
+{
+  const Phase_clock::Measurement measurement(context.clock, Phase::REFINE);
+  const Cutting_parameters& parameters = context.parameters;
+  Cut_refiner<ConcurrencyTag> refiner(problem, context);
+  if(refiner.connect(detected.features, !detected.is_hopeless) && refiner.map())
+  {
+    constexpr bool keeps_tree = true; // only the features are handed on
+    refine(refiner, {parameters.maximum_average_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
+                     keeps_tree}, parameters);
+    detected.features = refiner.cut().features();
+  }
+  detected.trade_offs.insert(detected.trade_offs.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());
+  if(context.control.is_stopped())
+    detected.status = failure(context.control);
+}
+
+// The features on the surface itself that are reachable there, and its terminals.
+inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, const std::vector<int>& features)
+{
+  const std::vector<char> is_reachable = reachable_vertices(fine.mesh, fine.constraints);
+  std::vector<int> result = fine.terminals;
+  for(int v : features)
+    if(is_reachable[coarse.vertices[v]])
+      result.push_back(coarse.vertices[v]);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// What `find(problem, context)` finds on a coarser version. Unreachable features are removed when lifted.
+template <typename Find>
+Detected_features find_on_coarse_mesh(const Problem& fine, const Context& context, const Find& find)
+{
+  using namespace Surface_mesh_parameterization::internal;
+  const Coarse_mesh coarse = [&]
+  {
+    const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
+    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals);
+  }();
+  const std::vector<int> terminals = coarse.find(fine.terminals);
+  Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
+                  coarse_constraints(fine.mesh, fine.constraints, coarse, terminals), terminals,
+                  Initial_cut(), fine.is_sphere};
+  Detected_features detected;
+  if(!problem.is_sphere)
+    detected.status = cut_handles_of(problem, context);
+  if(!detected.status)
+    return detected;
+  detected = find(problem, context);
+  detected.features = lifted(fine, coarse, detected.features);
+  detected.chart = Open_chart();
+  return detected;
+}
+
+// Features from one start on a coarser version, where refining them is cheap.
+template <typename ConcurrencyTag>
+Detected_features refined_features(const Problem& problem, int start, const Context& context)
+{
+  const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
+  Detected_features detected
+    = Feature_detector<ConcurrencyTag>(problem, Context{parameters, context.control, context.clock}).run(start);
+  if(detected.status && refines(problem, context.parameters))
+    refine_features<ConcurrencyTag>(problem, context, detected);
+  return detected;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_FEATURES_OF_START_H

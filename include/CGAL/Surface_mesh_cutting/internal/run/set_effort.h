@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_SET_EFFORT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_SET_EFFORT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// The sizes and budgets were found by measuring (see benchmark/constants); all count work, not seconds.
+inline void set_effort(Effort effort, Cutting_parameters& p)
+{
+  const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();
+  p.coarse_number_of_faces = 5000;
+  p.number_of_corrective_solves = has_bound ? 8 : 0;
+  p.runs_all_efforts = effort == Effort::BEST;
+  switch(effort)
+  {
+  case Effort::FAST:
+    p.number_of_starts = 1;
+    p.number_of_combinations = 0;
+    p.number_of_shortening_solves = has_bound ? 20 : 0;
+    break;
+  case Effort::DEFAULT:
+    p.number_of_starts = has_bound ? 4 : 3;
+    p.number_of_combinations = 0;
+    p.number_of_shortening_solves = has_bound ? 60 : 8;
+    break;
+  case Effort::BEST:
+    p.number_of_starts = 12;
+    p.number_of_combinations = 11;
+    p.number_of_shortening_solves = has_bound ? 300 : 60;
+    break;
+  }
+}
+
+// The runs of which the best result is returned. The best effort contains the smaller ones, also from the first seeds,
+// so that it is no worse than these. Where no first cut is looked for, seeds make no difference.
+inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& parameters, bool has_seeds)
+{
+  constexpr unsigned int number_of_seeds = 3;
+  if(!parameters.runs_all_efforts)
+    return {parameters};
+  std::vector<Cutting_parameters> runs;
+  std::vector<unsigned int> seeds(1, parameters.random_seed);
+  for(unsigned int seed = 0; has_seeds && seed < number_of_seeds; ++seed)
+    if(seed != parameters.random_seed)
+      seeds.push_back(seed);
+  for(unsigned int seed : seeds)
+    for(Effort effort : {Effort::DEFAULT, Effort::FAST})
+    {
+      Cutting_parameters run = parameters;
+      set_effort(effort, run);
+      run.adapt_solves_to_weights();
+      run.coarse_number_of_faces = parameters.coarse_number_of_faces;
+      run.random_seed = seed;
+      runs.push_back(run);
+    }
+  runs.push_back(parameters); // last, since it takes longest
+  return runs;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_SET_EFFORT_H
