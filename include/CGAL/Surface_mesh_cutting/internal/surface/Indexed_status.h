@@ -64,8 +64,9 @@ inline Indexed_status stopped_status()
 // `faces`: those in the way, if they are known.
 inline Indexed_status bound_missed(std::vector<int> faces = {})
 {
+  const Element_kind kind = faces.empty() ? Element_kind::NONE : Element_kind::FACE;
   return Indexed_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map meets the bound on the distortion",
-                        faces.empty() ? Element_kind::NONE : Element_kind::FACE, std::move(faces));
+                        kind, std::move(faces));
 }
 
 } // namespace internal
