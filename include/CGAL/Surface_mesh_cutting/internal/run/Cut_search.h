@@ -241,7 +241,7 @@ private:
   // for a shorter cut.
   Cutting_parameters exchange_parameters() const
   {
-    constexpr double more_distortion = 2, more_per_cost = 1.2; // energies remain about as they were
+    constexpr double more_distortion = 2.5, more_per_cost = 1.5; // energies remain about as they were
     Cutting_parameters parameters = m_parameters;
     parameters.minimum_distortion_decrease *= more_distortion;
     parameters.decrease_per_cost *= more_per_cost;

@@ -39,7 +39,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
     p.number_of_shortening_solves = has_bound ? 20 : 0;
     break;
   case Effort::DEFAULT:
-    p.number_of_starts = has_bound ? 4 : 3;
+    p.number_of_starts = has_bound ? 1 : 3; // many solves at a bound level what starts differ by
     p.number_of_combinations = 0;
     p.number_of_shortening_solves = has_bound ? 60 : 8;
     break;
