@@ -121,10 +121,10 @@ def check_escape_keeps_nothing():
 
 
 def check_escape_keeps_the_best():
-    """By the time of the last phases there is a result."""
+    """Once the first of several searches has been flattened there is a result."""
     support.preferences().on_escape = 'BEST'
     yield from start(effort='best')
-    yield from wait(lambda: any("refining" in text for text in texts))
+    yield from wait(lambda: any("flattening" in text for text in texts))
     yield from wait_some_time()
     press('ESC')
     yield from wait(lambda: not is_running())

@@ -163,6 +163,7 @@ private:
   void combine(const std::vector<Found>& found, Detected_features& result) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    m_control.report(Phase::REFINE, 0);
     const double least_limit = found.front().energy + exchange_parameters().minimum_distortion_decrease;
     const auto limited = [&](int number_of_solves)
     {
@@ -173,6 +174,7 @@ private:
     const std::size_t last = (std::min)(found.size(), std::size_t(m_parameters.number_of_combinations + 1));
     for(std::size_t i = 1; i < last && m_control.go_further(); ++i)
     {
+      m_control.report(Phase::REFINE, double(i) / double(last));
       constexpr int number_of_solves = 24; // most of the features are good already
       std::vector<int> united = best.detected.features;
       if(found[i].cost == infinity || !add_remote(found[i].detected.features, best.chart.cut, united))
@@ -183,6 +185,7 @@ private:
       if(is_better(other, best))
         best = std::move(other);
     }
+    m_control.report(Phase::REFINE, 1);
     result.features = std::move(best.detected.features);
     std::sort(result.features.begin(), result.features.end());
     result.chart = std::move(best.chart);
