@@ -61,13 +61,7 @@ template <typename TriangleMesh, typename EdgeIsCutMap,
 Status<TriangleMesh> certify_cut(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
                                  const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = internal::make_mesh_adapter(tmesh, np);
 
   internal::Indexed_status status = adapter.status();
   if(!status)

@@ -94,13 +94,7 @@ Status<TriangleMesh> certify_packing(const TriangleMesh& tmesh, EdgeIsCutMap edg
                                      HalfedgeUVMap halfedge_uv_map,
                                      const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = internal::make_mesh_adapter(tmesh, np);
   const internal::Packing_parameters parameters = internal::read_packing_parameters(np);
   internal::Indexed_status status = adapter.status();
   if(status)

@@ -98,10 +98,7 @@ Status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = internal::make_mesh_adapter(tmesh, np);
   const bool do_bijective = choose_parameter(get_parameter(np, internal_np::do_bijective), false);
 
   internal::Indexed_status status = adapter.status();

@@ -90,13 +90,7 @@ Distortion_report<TriangleMesh> distortion_report(const TriangleMesh& tmesh, Edg
                                                   HalfedgeUVMap halfedge_uv_map,
                                                   const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = internal::make_mesh_adapter(tmesh, np);
   Distortion_report<TriangleMesh> report;
   internal::Indexed_status status = adapter.status();
   if(status)

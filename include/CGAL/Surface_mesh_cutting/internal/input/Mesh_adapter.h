@@ -20,7 +20,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/Named_function_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -229,6 +231,19 @@ private:
   std::vector<halfedge_descriptor> m_halfedges; // of the sides of polygons
   std::vector<face_descriptor> m_faces;
 };
+
+// With the points that the named parameters give.
+template <typename TriangleMesh, typename NamedParameters>
+auto make_mesh_adapter(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  return Mesh_adapter<TriangleMesh, Vertex_point_map>(
+    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                            get_const_property_map(CGAL::vertex_point, tmesh)));
+}
 
 } // namespace internal
 } // namespace Surface_mesh_cutting
