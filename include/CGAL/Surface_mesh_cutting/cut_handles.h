@@ -112,17 +112,13 @@ Handles_result<TriangleMesh> cut_handles(const TriangleMesh& tmesh, EdgeIsCutMap
                                          const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
-  using parameters::get_parameter;
   using parameters::get_parameter_reference;
 
   Default_visitor default_visitor;
   internal::Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Run_control control = internal::read_run_control(visitor, np);
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = internal::make_mesh_adapter(tmesh, np);
   Handles_result<TriangleMesh> result;
   internal::Indexed_status status = adapter.status();
   internal::Edge_constraints constraints;

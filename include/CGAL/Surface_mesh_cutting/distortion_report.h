@@ -21,7 +21,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/Named_function_parameters.h>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY

@@ -121,7 +121,6 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
                                          const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
-  using parameters::get_parameter;
   using parameters::get_parameter_reference;
   using UV = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using Number = std::decay_t<decltype(std::declval<const UV&>().x())>;
@@ -130,10 +129,7 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
   internal::Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const internal::Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = internal::make_mesh_adapter(tmesh, np);
   const internal::Packing_parameters parameters = internal::read_packing_parameters(np);
 
   Packing_result<TriangleMesh> result;

@@ -69,13 +69,9 @@ template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameter
 Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map, const NamedParameters& np,
                                  FindFactors find_factors)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  const Mesh_adapter<TriangleMesh, Vertex_point_map> adapter(
-    tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+  const auto adapter = make_mesh_adapter(tmesh, np);
   Indexed_status status = adapter.status();
   std::vector<double> factors;
   if(status)

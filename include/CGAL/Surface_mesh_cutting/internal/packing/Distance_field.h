@@ -47,7 +47,7 @@ public:
     for(const Outline_segment& s : m_outline)
       m_box.add(s.source);
     m_box.grow(reach);
-    m_cell = (std::max)(m_box.longest_side() / resolution, std::numeric_limits<double>::min());
+    m_cell = (std::max)(m_box.longest_side() / resolution, (std::numeric_limits<double>::min)());
     m_columns = int(m_box.size().x() / m_cell) + 1;
     m_rows = int(m_box.size().y() / m_cell) + 1;
     for(int y = 0; y < m_rows; ++y)

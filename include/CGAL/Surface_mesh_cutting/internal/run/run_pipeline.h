@@ -152,18 +152,7 @@ template <typename ConcurrencyTag, typename Result, typename UV = Eigen::Vector2
           typename WriteResult, typename NamedParameters>
 Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  return run_on_adapter<ConcurrencyTag, Result, UV>(
-    [&]
-    {
-      return Mesh_adapter<TriangleMesh, Vertex_point_map>(
-        tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                get_const_property_map(CGAL::vertex_point, tmesh)));
-    },
-    output, write, np);
+  return run_on_adapter<ConcurrencyTag, Result, UV>([&] { return make_mesh_adapter(tmesh, np); }, output, write, np);
 }
 
 } // namespace internal

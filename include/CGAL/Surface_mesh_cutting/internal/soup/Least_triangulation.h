@@ -117,7 +117,7 @@ private:
   // Of the triangle above the base from i to j.
   void choose_apex(int i, int j)
   {
-    Cost best = {std::numeric_limits<int>::max(), 0, 0};
+    Cost best = {(std::numeric_limits<int>::max)(), 0, 0};
     for(int k = i + 1; k < j; ++k)
     {
       Cost cost = m_costs[index(i, k)] + m_costs[index(k, j)];
