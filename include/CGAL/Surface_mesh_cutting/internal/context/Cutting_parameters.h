@@ -71,13 +71,10 @@ struct Cutting_parameters
   // For the sparse systems of all maps; not needed where nothing is mapped.
   std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
 
-  // Where edges have weights, in units of what a unit of length costs on average over the surface: what is cut lies
-  // mostly where it is cheap, and how far depends on the refinement.
+  // Costs are in units of what a unit of length costs on average over the surface: exchange rates remain.
   void adapt_to_weights()
   {
-    constexpr double surface_over_cut = 1.5; // of the average costs per length
     has_weights = true;
-    decrease_per_cost *= surface_over_cut;
     adapt_solves_to_weights();
   }
 

@@ -30,11 +30,10 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Whether features come from several starts. A given cut, or the paper, says where to begin; where edges have
-// weights, ends move to cheap places from anywhere.
+// Whether features come from several starts. A given cut, or the paper, says where to begin.
 inline bool searches(const Problem& problem, const Cutting_parameters& parameters)
 {
-  return parameters.number_of_starts > 1 && !problem.initial.is_given() && !parameters.has_weights;
+  return parameters.number_of_starts > 1 && !problem.initial.is_given();
 }
 
 // Cuts from several starts, of which the best is refined. All but the first look for features on coarser versions of
