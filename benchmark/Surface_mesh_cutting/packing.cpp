@@ -139,7 +139,7 @@ double fill_of_bitmap(const std::vector<Chart_outline>& outlines, double margin,
   for(const Chart_outline& outline : outlines)
     areas.push_back(outline.area);
   const double quarter = CGAL_PI / 2;
-  const std::vector<std::vector<double> > turns(outlines.size(), {0, quarter, 2 * quarter, 3 * quarter});
+  const std::vector<std::vector<double> > turns(outlines.size(), {0, quarter});
   const Packing_strategy strategy = {sorted(outlines.size(), areas), 1};
   const int size = int(std::floor((1 - 2 * margin) * texture_size));
   return largest_fill([&](double scale)

@@ -73,14 +73,13 @@ public:
     choose_strategies();
     find_limit();
     const bool are_many = int(m_outlines.size()) > many;
-    const int coarse = are_many ? 1024 : 512, fine = 2048;
-    if(!find_first(coarse))
+    const int coarsest = are_many ? 1024 : 512, finest = int(m_outlines.size()) <= several ? coarsest : 4096;
+    if(!find_first(coarsest))
       return std::nullopt;
-    grow(coarse, 1.08, are_many ? 1.02 : 1.004);
+    for(int resolution = coarsest; resolution <= finest; resolution *= 2)
+      grow(resolution, resolution == coarsest ? 1.08 : 1.03, resolution < finest ? 1.02 : 1.004);
     if(int(m_outlines.size()) <= several)
       push_apart();
-    else
-      grow(fine, 1.03, are_many ? 1.005 : 1.0015);
     return m_best;
   }
 
@@ -108,10 +107,10 @@ private:
     return packed;
   }
 
-  // Sides of the smallest box along the axes, and turns between.
+  // Sides of the smallest box along the axes, and turns between; all up to half a turn.
   void choose_turns()
   {
-    const int number = int(m_outlines.size()) <= several ? 16 : int(m_outlines.size()) <= many ? 8 : 4;
+    const int number = int(m_outlines.size()) <= several ? 8 : int(m_outlines.size()) <= many ? 4 : 2;
     m_turns.resize(m_outlines.size());
     CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_outlines.size()), [&](int i)
     {
@@ -119,9 +118,9 @@ private:
       // Quarter turns come first, that with the chart lying on its side before that with it upright.
       const Eigen::Vector2d size = m_outlines[i].extent(first);
       const double quarter = CGAL_PI / 2, start = size.x() >= size.y() ? first : first + quarter;
-      for(int between = 0; between < number / 4; ++between)
-        for(const int quarters : {0, 2, 1, 3})
-          m_turns[i].push_back(start + quarter * (quarters + 4. * between / number));
+      for(int between = 0; between < number / 2; ++between)
+        for(int quarters = 0; quarters < 2; ++quarters)
+          m_turns[i].push_back(start + quarter * (quarters + 2. * between / number));
     });
   }
 
@@ -176,22 +175,37 @@ private:
         limiting = i;
       }
     m_limit = side() / longest;
-    for(int quarters = 0; quarters < 4; ++quarters)
+    for(int quarters = 0; quarters < 2; ++quarters)
       m_turns[limiting].push_back(tightest_square_angle(m_outlines[limiting]) + quarters * CGAL_PI / 2);
   }
 
   // Whether there is any scale at which all charts fit.
   bool find_first(int resolution)
   {
-    constexpr double hopeful_fill = 0.75, shrinking = 0.93, hopeless = 1e-3;
-    double area = 0;
-    for(const Chart_outline& outline : m_outlines)
-      area += outline.area;
-    const double first = (std::min)(m_limit, side() * std::sqrt(hopeful_fill / area));
+    constexpr double shrinking = 0.93, hopeless = 1e-3;
+    const double first = hopeful_scale();
     for(double scale = first; scale > hopeless * first; scale *= shrinking)
       if(try_scale(resolution, scale))
         return true;
     return false;
+  }
+
+  // At which the charts, each with half of the margin around, leave as much room as they may be expected to.
+  double hopeful_scale() const
+  {
+    constexpr double hopeful_fill = 0.75;
+    double area = 0, perimeter = 0; // of the margins, not more than that of the hulls
+    for(const Chart_outline& outline : m_outlines)
+    {
+      area += outline.area;
+      for(std::size_t i = 0; i < outline.hull.size(); ++i)
+        perimeter += (outline.hull[(i + 1) % outline.hull.size()] - outline.hull[i]).norm();
+    }
+    const double linear = 0.25 * m_margin * perimeter, disks = 0.25 * m_margin * m_margin * CGAL_PI * double(m_outlines.size());
+    const double room = hopeful_fill * (side() + m_margin) * (side() + m_margin) - disks;
+    // The root of area * scale^2 + 2 * linear * scale = room.
+    const double scale = room > 0 ? room / (linear + std::sqrt(linear * linear + area * room)) : side() * std::sqrt(hopeful_fill / area);
+    return (std::min)(m_limit, scale);
   }
 
   // Scales up by `factor` as long as that succeeds, then by less, until steps are below `finest`.
@@ -287,8 +301,9 @@ private:
     for(std::size_t i = 0; i < places.size(); ++i)
     {
       const Grid_place& place = places[i];
-      const Eigen::Vector2d origin = masks[i][place.turn].origin + Eigen::Vector2d(place.cell.x, place.cell.y);
-      packed.motions.push_back({m_turns[i][place.turn], Eigen::Vector2d::Constant(m_margin) + origin / resolution});
+      const Chart_mask& mask = masks[i][place.mask];
+      const Eigen::Vector2d origin = mask.origin + Eigen::Vector2d(place.cell.x, place.cell.y);
+      packed.motions.push_back({mask.angle, Eigen::Vector2d::Constant(m_margin) + origin / resolution});
     }
     return packed;
   }
