@@ -14,11 +14,12 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Grid_packing.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-using CGAL::internal::Graph_kernel::Go_further;
 
 // A turn about the origin of the chart's outline, the scale that is common to all charts, and a translation.
 struct Chart_motion
@@ -57,14 +56,16 @@ template <typename ConcurrencyTag>
 class Chart_packer
 {
 public:
-  // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square.
-  Chart_packer(std::vector<Chart_outline> outlines, double margin, Go_further go_further)
-    : m_outlines(std::move(outlines)), m_margin(margin), m_go_further(std::move(go_further))
+  // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square. The
+  // reference to the control is kept.
+  Chart_packer(std::vector<Chart_outline> outlines, double margin, Run_control& control)
+    : m_outlines(std::move(outlines)), m_margin(margin), m_control(control)
   {}
 
   // None if no scale was found at which the margins leave room. A run that is ended keeps what it found first.
   std::optional<Packed_charts> pack()
   {
+    m_control.report(Phase::PACK, 0);
     if(!(side() > 0))
       return std::nullopt;
     if(m_outlines.size() == 1)
@@ -77,7 +78,11 @@ public:
     if(!find_first(coarsest))
       return std::nullopt;
     for(int resolution = coarsest; resolution <= finest; resolution *= 2)
+    {
+      m_control.report(Phase::PACK, double(resolution) / (2 * finest)); // each grid takes about as long as all before
       grow(resolution, resolution == coarsest ? 1.08 : 1.03, resolution < finest ? 1.02 : 1.004);
+      m_strategies.resize((std::min)(m_strategies.size(), strategies_on_fine_grids));
+    }
     if(int(m_outlines.size()) <= several)
       push_apart();
     return m_best;
@@ -85,7 +90,8 @@ public:
 
 private:
   static constexpr int several = 100, many = 1000; // charts
-  static constexpr double tolerance = 2e-4;        // of simplified outlines
+  static constexpr std::size_t strategies_on_fine_grids = 2;
+  static constexpr double tolerance = 2e-4; // of simplified outlines
 
   // Of the square inside of the margin.
   double side() const { return 1 - 2 * m_margin; }
@@ -211,7 +217,7 @@ private:
   // Scales up by `factor` as long as that succeeds, then by less, until steps are below `finest`.
   void grow(int resolution, double factor, double finest)
   {
-    while(factor > finest && m_go_further())
+    while(factor > finest && m_control.go_further())
       if(m_best->scale * factor > m_limit || !try_scale(resolution, m_best->scale * factor))
         factor = std::sqrt(factor);
   }
@@ -244,7 +250,7 @@ private:
     const int sweeps = (std::min)(100, 3000 / int(charts.size())); // a sweep takes longer for more charts
     Packed_charts best = *m_best;
     Chart_separator separator(charts, seed);
-    for(double factor = first; factor > finest && m_go_further();)
+    for(double factor = first; factor > finest && m_control.go_further();)
     {
       const double scale = best.scale * factor;
       const Eigen::Vector2d corner = Eigen::Vector2d::Constant(m_margin + tolerance * scale);
@@ -252,7 +258,7 @@ private:
       for(const Chart_motion& motion : best.motions)
         motions.emplace_back(motion.angle, (motion.translation - corner) / scale);
       const Square_room room = {side() / scale - 2 * tolerance, m_margin / scale + 2 * tolerance, tolerance};
-      if(scale > m_limit || !separator.separate(motions, room, sweeps, m_go_further))
+      if(scale > m_limit || !separator.separate(motions, room, sweeps, m_control))
       {
         factor = std::sqrt(factor);
         continue;
@@ -276,7 +282,7 @@ private:
     std::vector<Places> found(m_strategies.size());
     CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_strategies.size()), [&](int i)
     {
-      if(!m_best || m_go_further())
+      if(!m_best || m_control.go_further())
         found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i]);
     });
     std::vector<Packing_strategy> successful;
@@ -310,7 +316,7 @@ private:
 
   const std::vector<Chart_outline> m_outlines;
   const double m_margin;
-  const Go_further m_go_further;
+  Run_control& m_control;
   std::vector<std::vector<double> > m_turns; // angles
   std::vector<Packing_strategy> m_strategies;
   double m_limit = 0; // of the scale
