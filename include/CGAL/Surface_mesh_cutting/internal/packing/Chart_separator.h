@@ -59,7 +59,7 @@ public:
   // stagnate are given up: where charts do not come apart steadily, they hardly ever do.
   bool separate(std::vector<Rigid_motion>& motions, const Square_room& room, int sweeps, const Go_further& go_further)
   {
-    const int patience = 12 + 100 / int(m_charts.size()); // sweeps: luck is cheap where there are few charts
+    const int patience = 12 + 200 / int(m_charts.size()); // sweeps: luck is cheap where there are few charts
     m_room = room;
     m_motions.swap(motions);
     m_weights.assign(m_charts.size() * (m_charts.size() + 1), 1.);
