@@ -22,12 +22,12 @@ namespace internal {
 template Indexed_packing pack_indexed_charts<Sequential_tag>(const Corner_table&, const std::vector<Eigen::Vector2d>&,
                                                              const Packing_parameters&,
                                                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>&,
-                                                             const Go_further&);
+                                                             Run_control&);
 #ifdef CGAL_LINKED_WITH_TBB
 template Indexed_packing pack_indexed_charts<Parallel_tag>(const Corner_table&, const std::vector<Eigen::Vector2d>&,
                                                            const Packing_parameters&,
                                                            const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>&,
-                                                           const Go_further&);
+                                                           Run_control&);
 #endif
 
 } // namespace internal

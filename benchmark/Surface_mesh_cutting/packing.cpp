@@ -139,7 +139,7 @@ double fill_of_bitmap(const std::vector<Chart_outline>& outlines, double margin,
   for(const Chart_outline& outline : outlines)
     areas.push_back(outline.area);
   const double quarter = CGAL_PI / 2;
-  const std::vector<std::vector<double> > turns(outlines.size(), {0, quarter, 2 * quarter, 3 * quarter});
+  const std::vector<std::vector<double> > turns(outlines.size(), {0, quarter});
   const Packing_strategy strategy = {sorted(outlines.size(), areas), 1};
   const int size = int(std::floor((1 - 2 * margin) * texture_size));
   return largest_fill([&](double scale)
@@ -211,9 +211,10 @@ int main(int argc, char** argv)
     const Connected_parts parts(chart.opposites());
     const double area = CGAL::Surface_mesh_parameterization::internal::chart_area(layout.triangles, layout.uv);
     const std::vector<Chart_outline> outlines = chart_outlines(chart, parts, layout.uv, 1 / std::sqrt(area));
+    CGAL::Surface_mesh_cutting::internal::Run_control control;
     CGAL::Real_timer timer;
     timer.start();
-    const auto packed = Chart_packer<Tag>(outlines, margin, always_go_further).pack();
+    const auto packed = Chart_packer<Tag>(outlines, margin, control).pack();
     timer.stop();
     const double fills[4] = {fill_of_shelves(outlines, margin), fill_of_bitmap(outlines, margin, texture_size),
                              packed ? packed->scale * packed->scale : 0, limit_of_fill(outlines, margin)};

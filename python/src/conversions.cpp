@@ -160,6 +160,7 @@ const char* name_of(SMC::Phase phase)
   case SMC::Phase::CONNECT:      return "connect";
   case SMC::Phase::REFINE:       return "refine";
   case SMC::Phase::PARAMETERIZE: return "parameterize";
+  case SMC::Phase::PACK:         return "pack";
   }
   return "";
 }

@@ -68,8 +68,12 @@ SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, co
   SMC::internal::Indexed_packing result;
   result.status = check_parameters(parameters);
   if(result.status)
+  {
+    SMC::internal::Run_control control([&] { return monitor.go_further(); },
+                                       [&](SMC::Phase phase, double fraction) { monitor.progress(phase, fraction); });
     result = SMC::internal::pack_indexed_charts<Concurrency_tag>(
-      chart, corner_uv, parameters, [](const Eigen::Vector2d& uv) { return uv; }, [&] { return monitor.go_further(); });
+      chart, corner_uv, parameters, [](const Eigen::Vector2d& uv) { return uv; }, control);
+  }
   return result;
 }
 

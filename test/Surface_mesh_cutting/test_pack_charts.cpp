@@ -9,8 +9,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -272,6 +274,31 @@ struct Stopping_visitor : CGAL::Surface_mesh_cutting::Default_visitor
   bool go_further() { return false; }
 };
 
+struct Recording_visitor : CGAL::Surface_mesh_cutting::Default_visitor
+{
+  void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction)
+  {
+    assert(phase == CGAL::Surface_mesh_cutting::Phase::PACK);
+    fractions.push_back(fraction);
+  }
+
+  std::vector<double> fractions;
+};
+
+void test_progress(CGAL::Random& random)
+{
+  for(const int number : {1, 5, 101})
+  {
+    Charts charts = random_stars(random, number);
+    Recording_visitor visitor;
+    assert(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv,
+                                                   parameters::visitor(std::ref(visitor))));
+    assert(visitor.fractions.front() == 0 && visitor.fractions.back() == 1);
+    assert(std::is_sorted(visitor.fractions.begin(), visitor.fractions.end()));
+    assert(number == 1 || visitor.fractions.size() > 2);
+  }
+}
+
 void test_errors(CGAL::Random& random)
 {
   Charts charts = random_stars(random, 3);
@@ -314,6 +341,7 @@ int main(int argc, char** argv)
   test_polygons();
   test_damage(random);
   test_errors(random);
+  test_progress(random);
   test_random_charts(random);
   return EXIT_SUCCESS;
 }

@@ -303,7 +303,9 @@ class Outputs(Case):
         self.assertGreater(len(lines), 1)
         for percent, phase in lines:
             self.assertTrue(0 <= int(percent) <= 100)
-            self.assertIn(phase, ("finding candidates", "filtering", "connecting", "refining", "flattening"))
+            self.assertIn(phase, ("finding candidates", "filtering", "connecting", "refining", "flattening",
+                                  "packing"))
+        self.assertIn(["100", "packing"], lines)
 
     def test_existing_files_are_replaced(self):
         self.write("sphere.uv.obj", "old")

@@ -1,6 +1,6 @@
 #include "pack.h"
 
-#include "Stop_visitor.h"
+#include "Progress_visitor.h"
 
 #include <CGAL/Surface_mesh_cutting/pack_charts.h>
 
@@ -42,7 +42,7 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
     outcome.uv_scale = 1;
     return;
   }
-  Stop_visitor visitor;
+  Progress_visitor visitor(options);
   const auto wall_start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
   const auto result = SMC::pack_charts<CGAL::Parallel_if_available_tag>(

@@ -1,8 +1,7 @@
 #include "run_unwrap.h"
 
 #include "Constraints.h"
-#include "Progress_display.h"
-#include "Stop_visitor.h"
+#include "Progress_visitor.h"
 #include "make_layout.h"
 #include "pack.h"
 #include "stop_request.h"
@@ -31,36 +30,6 @@ namespace {
 namespace SMC = CGAL::Surface_mesh_cutting;
 using SMC::Status_code;
 using Result = SMC::Unwrap_result<Mesh>;
-
-class Visitor : public Stop_visitor
-{
-public:
-  explicit Visitor(const Options& options) : m_progress(style_of(options)) {}
-
-  void progress(SMC::Phase phase, double fraction) { m_progress.show(name_of(phase), fraction); }
-
-private:
-  static const char* name_of(SMC::Phase phase)
-  {
-    switch(phase)
-    {
-      case SMC::Phase::CANDIDATES: return "finding candidates";
-      case SMC::Phase::FILTER: return "filtering";
-      case SMC::Phase::CONNECT: return "connecting";
-      case SMC::Phase::REFINE: return "refining";
-      case SMC::Phase::PARAMETERIZE: return "flattening";
-    }
-    return "";
-  }
-
-  static Progress_display::Style style_of(const Options& options)
-  {
-    return options.has_progress_lines ? Progress_display::Style::LINES
-         : options.is_quiet ? Progress_display::Style::NONE : Progress_display::Style::BAR;
-  }
-
-  Progress_display m_progress;
-};
 
 Exit_code exit_code_of(Status_code code)
 {
@@ -184,7 +153,7 @@ SMC::Connection connection_of(const std::string& name)
 }
 
 template <typename Solver>
-Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Visitor& visitor,
+Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Progress_visitor& visitor,
                    Cut_map is_cut, UV_map uvs, Solver solver)
 {
   const auto parameters
@@ -214,7 +183,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
 Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Cut_map is_cut,
                    UV_map uvs)
 {
-  Visitor visitor(options);
+  Progress_visitor visitor(options);
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
   if(options.solver == "cholmod")
     return run_library(mesh, options, constraints, visitor, is_cut, uvs,

@@ -26,7 +26,8 @@ enum class Phase
   FILTER,      ///< the selection among the candidates
   CONNECT,     ///< the tree through the feature points
   REFINE,      ///< repair and shortening of the connected cut
-  PARAMETERIZE ///< the final UVs
+  PARAMETERIZE, ///< the final UVs
+  PACK          ///< the places of the charts in the unit square, for `pack_charts()`
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef

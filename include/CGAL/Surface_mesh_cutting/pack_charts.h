@@ -93,8 +93,9 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{can end the run: it is asked once a first packing is found, often, before what takes long}
-///     \cgalParamType{a class model of `CuttingVisitor`, of which only `go_further()` is called}
+///     \cgalParamDescription{is told of progress, and can end the run: it is asked once a first packing is found, often,
+///                           before what takes long}
+///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
 ///   \cgalParamNEnd
@@ -128,7 +129,8 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
   Default_visitor default_visitor;
   internal::Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});
+  internal::Run_control control([&visitor] { return bool(visitor.go_further()); },
+                                [&visitor](Phase phase, double fraction) { visitor.progress(phase, fraction); });
   const auto adapter = internal::make_mesh_adapter(tmesh, np);
   const internal::Packing_parameters parameters = internal::read_packing_parameters(np);
 

@@ -84,7 +84,7 @@ template <typename ConcurrencyTag>
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
                                     const Packing_parameters& parameters,
                                     const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
-                                    const Go_further& go_further);
+                                    Run_control& control);
 
 // Whether the parts of a flat chart lie in the unit square and apart.
 CGAL_SURFACE_MESH_CUTTING_INLINE

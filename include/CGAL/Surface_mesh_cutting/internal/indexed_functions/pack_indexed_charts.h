@@ -96,7 +96,7 @@ inline Indexed_status certify_rounded(const Corner_table& chart, const std::vect
 
 template <typename ConcurrencyTag>
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
-                                    const Packing_parameters& parameters, const Round& round, const Go_further& go_further)
+                                    const Packing_parameters& parameters, const Round& round, Run_control& control)
 {
   constexpr double reserve = 1.002; // for rounding, of the margin
   Indexed_packing packing;
@@ -112,7 +112,7 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   const double factor = area > 0 ? 1 / std::sqrt(area) : 1;
   const std::vector<Chart_outline> outlines = chart_outlines(chart, parts, uv, factor);
   const std::optional<Packed_charts> packed
-    = Chart_packer<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), go_further).pack();
+    = Chart_packer<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), control).pack();
   if(!packed)
     packing.status = Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                                     "the margins around " + std::to_string(parts.number) + " charts leave no room for them");
@@ -123,7 +123,8 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   if(!packing.status)
     return packing;
   packing.has_result = true;
-  if(!go_further())
+  control.report(Phase::PACK, 1);
+  if(!control.go_further())
     packing.status = stopped_status();
   packing.scale = std::ldexp(factor * packed->scale, -exponent);
   packing.fill = Surface_mesh_parameterization::internal::chart_area(chart.triangles(), packing.uv);

@@ -16,8 +16,12 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_outline.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -38,9 +42,15 @@ struct Cell_run
 class Capsule
 {
 public:
-  Capsule(const Eigen::Vector2d& p, const Eigen::Vector2d& q, double radius)
-    : m_low(p.y() <= q.y() ? p : q), m_high(p.y() <= q.y() ? q : p), m_radius(radius)
-  {}
+  Capsule(const Outline_segment& s, double radius)
+    : m_low(s.source.y() <= s.target.y() ? s.source : s.target),
+      m_high(s.source.y() <= s.target.y() ? s.target : s.source), m_radius(radius)
+  {
+    const Eigen::Vector2d d = m_high - m_low;
+    const double length = d.norm();
+    m_normal = length > 0 ? Eigen::Vector2d(d.y() / length, -d.x() / length) : Eigen::Vector2d(1, 0);
+    m_slope = d.y() > 0 ? d.x() / d.y() : 0;
+  }
 
   double bottom() const { return m_low.y() - m_radius; }
   double top() const { return m_high.y() + m_radius; }
@@ -60,43 +70,34 @@ private:
   // The right border at `y`, that of the mirror image for side -1.
   double right(double y, double side) const
   {
-    const Eigen::Vector2d p(side * m_low.x(), m_low.y()), d(side * (m_high.x() - m_low.x()), m_high.y() - m_low.y());
-    const double length = d.norm();
-    const Eigen::Vector2d normal = length > 0 ? Eigen::Vector2d(d.y() / length, -d.x() / length) : Eigen::Vector2d(1, 0);
-    const double begin = p.y() + m_radius * normal.y(), end = begin + d.y();
+    const double rise = side * m_radius * m_normal.y(), begin = m_low.y() + rise, end = m_high.y() + rise;
     if(y > begin && y < end)
-      return p.x() + m_radius * normal.x() + (y - begin) / d.y() * d.x();
-    const Eigen::Vector2d center = y <= begin && !(begin == end && d.x() > 0) ? p : Eigen::Vector2d(p + d);
+      return side * m_low.x() + m_radius * m_normal.x() + (y - begin) * side * m_slope;
+    const Eigen::Vector2d& center = y <= begin && !(begin == end && side * (m_high.x() - m_low.x()) > 0) ? m_low : m_high;
     const double height = y - center.y();
-    return center.x() + std::sqrt((std::max)(0., m_radius * m_radius - height * height));
+    return side * center.x() + std::sqrt((std::max)(0., m_radius * m_radius - height * height));
   }
 
   const Eigen::Vector2d m_low, m_high;
   const double m_radius;
+  Eigen::Vector2d m_normal; // to the right
+  double m_slope;           // of x over y
 };
 
-// The cells of a grid, of side 1, that the points at most `radius` away from the surface inside of an outline touch:
-// sorted, disjoint runs. A cell that the border does not touch is inside if its center is; where the surface overlaps
-// itself, winding numbers tell.
-inline std::vector<Cell_run> touched_cells(const std::vector<Outline_segment>& outline, double radius)
+// The runs of cells, of side 1, whose centers are inside of an outline; where the surface overlaps itself, winding
+// numbers tell.
+inline std::vector<Cell_run> inside_runs(const std::vector<Outline_segment>& outline)
 {
-  std::vector<Cell_run> runs;
   std::vector<std::tuple<int, double, int> > crossings; // row, place on the line through its centers, turn
   for(const Outline_segment& s : outline)
   {
-    const Capsule capsule(s.source, s.target, radius);
-    for(int row = int(std::floor(capsule.bottom())), end = int(std::floor(capsule.top())); row <= end; ++row)
-    {
-      const auto [left, right] = capsule.range(row, row + 1.);
-      runs.push_back({row, int(std::floor(left)), int(std::floor(right))});
-    }
     const Eigen::Vector2d d = s.target - s.source;
-    const int turn = d.y() > 0 ? 1 : -1;
     const double low = (std::min)(s.source.y(), s.target.y()), high = (std::max)(s.source.y(), s.target.y());
     for(int row = int(std::ceil(low - 0.5)); row + 0.5 < high; ++row)
-      crossings.emplace_back(row, s.source.x() + (row + 0.5 - s.source.y()) / d.y() * d.x(), turn);
+      crossings.emplace_back(row, s.source.x() + (row + 0.5 - s.source.y()) / d.y() * d.x(), d.y() > 0 ? 1 : -1);
   }
   std::sort(crossings.begin(), crossings.end());
+  std::vector<Cell_run> runs;
   int winding_number = 0;
   for(std::size_t i = 0; i + 1 < crossings.size(); ++i)
   {
@@ -106,28 +107,75 @@ inline std::vector<Cell_run> touched_cells(const std::vector<Outline_segment>& o
     if(winding_number != 0 && std::get<0>(crossings[i + 1]) == row && first <= last)
       runs.push_back({row, first, last});
   }
-  std::sort(runs.begin(), runs.end(), [](const Cell_run& a, const Cell_run& b)
-            { return std::tie(a.row, a.first, a.last) < std::tie(b.row, b.first, b.last); });
-  std::size_t number = 0;
-  for(const Cell_run& run : runs)
-    if(number > 0 && runs[number - 1].row == run.row && run.first <= runs[number - 1].last + 1)
-      runs[number - 1].last = (std::max)(runs[number - 1].last, run.last);
-    else
-      runs[number++] = run;
-  runs.resize(number);
   return runs;
+}
+
+// Sorts runs by rows, of which there are few, and joins those without a gap between.
+inline std::vector<Cell_run> joined_runs(const std::vector<Cell_run>& runs, int first_row, int last_row)
+{
+  std::vector<int> ends(std::size_t(last_row - first_row + 2), 0);
+  for(const Cell_run& run : runs)
+    ++ends[run.row - first_row + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Cell_run> sorted(runs.size());
+  for(const Cell_run& run : runs)
+    sorted[ends[run.row - first_row]++] = run;
+  std::size_t number = 0;
+  for(std::size_t begin = 0; begin < sorted.size();)
+  {
+    const int row = sorted[begin].row;
+    const std::size_t end = std::size_t(ends[row - first_row]);
+    std::sort(sorted.begin() + begin, sorted.begin() + end,
+              [](const Cell_run& a, const Cell_run& b) { return a.first < b.first; });
+    Cell_run joined = sorted[begin];
+    for(; begin < end; ++begin)
+      if(sorted[begin].first <= joined.last + 1)
+        joined.last = (std::max)(joined.last, sorted[begin].last);
+      else
+      {
+        sorted[number++] = joined;
+        joined = sorted[begin];
+      }
+    sorted[number++] = joined;
+  }
+  sorted.resize(number);
+  return sorted;
+}
+
+// The cells that the points at most `radius` away from the surface inside of an outline touch: sorted, disjoint runs.
+// A cell that the border does not touch is inside if its center is.
+inline std::vector<Cell_run> touched_cells(const std::vector<Outline_segment>& outline,
+                                           const std::vector<Cell_run>& inside, double radius)
+{
+  std::vector<Cell_run> runs = inside;
+  int first_row = (std::numeric_limits<int>::max)(), last_row = 0;
+  for(const Outline_segment& s : outline)
+  {
+    const Capsule capsule(s, radius);
+    const int begin = int(std::floor(capsule.bottom())), end = int(std::floor(capsule.top()));
+    first_row = (std::min)(first_row, begin);
+    last_row = (std::max)(last_row, end);
+    for(int row = begin; row <= end; ++row)
+    {
+      const auto [left, right] = capsule.range(row, row + 1.);
+      runs.push_back({row, int(std::floor(left)), int(std::floor(right))});
+    }
+  }
+  return joined_runs(runs, first_row, last_row);
 }
 
 // A chart on a grid, turned, with its lowest and leftmost cells in row and column 0.
 struct Chart_mask
 {
   std::vector<Cell_run> inner; // touched by the chart, longest first
-  std::vector<Cell_run> outer; // touched by what is too close to the chart; in parts outside of the box
+  std::vector<Cell_run> outer; // touched by what is too close to the chart; in parts outside of the box; row by row
   int width = 0, height = 0;
+  double angle;           // turned by
   Eigen::Vector2d origin; // of the chart, within the grid
 
   // `factor`: from the outline to the grid. `margin`: which distance between charts is too close, in cells.
   Chart_mask(const Chart_outline& chart, double angle, double factor, double margin)
+    : angle(angle)
   {
     constexpr double tolerance = 1e-3; // of a cell: more than coordinates of type `float` are rounded by
     const double c = factor * std::cos(angle), s = factor * std::sin(angle);
@@ -148,10 +196,23 @@ struct Chart_mask
     }
     width = int(std::floor(box.size().x() + 3 * tolerance)) + 1;
     height = int(std::floor(box.size().y() + 3 * tolerance)) + 1;
-    inner = touched_cells(turned, tolerance);
-    outer = touched_cells(turned, margin + tolerance);
+    const std::vector<Cell_run> inside = inside_runs(turned);
+    inner = touched_cells(turned, inside, tolerance);
+    outer = touched_cells(turned, inside, margin + tolerance);
     std::stable_sort(inner.begin(), inner.end(),
                      [](const Cell_run& a, const Cell_run& b) { return a.length() > b.length(); });
+  }
+
+  // Turned by half a turn more, which takes cells to cells: they need not be found again.
+  Chart_mask upside_down() const
+  {
+    Chart_mask turned = *this;
+    turned.angle += CGAL_PI;
+    turned.origin = Eigen::Vector2d(width, height) - origin;
+    for(std::vector<Cell_run>* runs : {&turned.inner, &turned.outer})
+      for(Cell_run& run : *runs)
+        run = {height - 1 - run.row, width - 1 - run.last, width - 1 - run.first};
+    return turned;
   }
 };
 

@@ -14,11 +14,12 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Grid_packing.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-using CGAL::internal::Graph_kernel::Go_further;
 
 // A turn about the origin of the chart's outline, the scale that is common to all charts, and a translation.
 struct Chart_motion
@@ -57,14 +56,16 @@ template <typename ConcurrencyTag>
 class Chart_packer
 {
 public:
-  // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square.
-  Chart_packer(std::vector<Chart_outline> outlines, double margin, Go_further go_further)
-    : m_outlines(std::move(outlines)), m_margin(margin), m_go_further(std::move(go_further))
+  // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square. The
+  // reference to the control is kept.
+  Chart_packer(std::vector<Chart_outline> outlines, double margin, Run_control& control)
+    : m_outlines(std::move(outlines)), m_margin(margin), m_control(control)
   {}
 
   // None if no scale was found at which the margins leave room. A run that is ended keeps what it found first.
   std::optional<Packed_charts> pack()
   {
+    m_control.report(Phase::PACK, 0);
     if(!(side() > 0))
       return std::nullopt;
     if(m_outlines.size() == 1)
@@ -73,20 +74,24 @@ public:
     choose_strategies();
     find_limit();
     const bool are_many = int(m_outlines.size()) > many;
-    const int coarse = are_many ? 1024 : 512, fine = 2048;
-    if(!find_first(coarse))
+    const int coarsest = are_many ? 1024 : 512, finest = int(m_outlines.size()) <= several ? coarsest : 4096;
+    if(!find_first(coarsest))
       return std::nullopt;
-    grow(coarse, 1.08, are_many ? 1.02 : 1.004);
+    for(int resolution = coarsest; resolution <= finest; resolution *= 2)
+    {
+      m_control.report(Phase::PACK, double(resolution) / (2 * finest)); // each grid takes about as long as all before
+      grow(resolution, resolution == coarsest ? 1.08 : 1.03, resolution < finest ? 1.02 : 1.004);
+      m_strategies.resize((std::min)(m_strategies.size(), strategies_on_fine_grids));
+    }
     if(int(m_outlines.size()) <= several)
       push_apart();
-    else
-      grow(fine, 1.03, are_many ? 1.005 : 1.0015);
     return m_best;
   }
 
 private:
   static constexpr int several = 100, many = 1000; // charts
-  static constexpr double tolerance = 2e-4;        // of simplified outlines
+  static constexpr std::size_t strategies_on_fine_grids = 2;
+  static constexpr double tolerance = 2e-4; // of simplified outlines
 
   // Of the square inside of the margin.
   double side() const { return 1 - 2 * m_margin; }
@@ -108,10 +113,10 @@ private:
     return packed;
   }
 
-  // Sides of the smallest box along the axes, and turns between.
+  // Sides of the smallest box along the axes, and turns between; all up to half a turn.
   void choose_turns()
   {
-    const int number = int(m_outlines.size()) <= several ? 16 : int(m_outlines.size()) <= many ? 8 : 4;
+    const int number = int(m_outlines.size()) <= several ? 8 : int(m_outlines.size()) <= many ? 4 : 2;
     m_turns.resize(m_outlines.size());
     CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_outlines.size()), [&](int i)
     {
@@ -119,9 +124,9 @@ private:
       // Quarter turns come first, that with the chart lying on its side before that with it upright.
       const Eigen::Vector2d size = m_outlines[i].extent(first);
       const double quarter = CGAL_PI / 2, start = size.x() >= size.y() ? first : first + quarter;
-      for(int between = 0; between < number / 4; ++between)
-        for(const int quarters : {0, 2, 1, 3})
-          m_turns[i].push_back(start + quarter * (quarters + 4. * between / number));
+      for(int between = 0; between < number / 2; ++between)
+        for(int quarters = 0; quarters < 2; ++quarters)
+          m_turns[i].push_back(start + quarter * (quarters + 2. * between / number));
     });
   }
 
@@ -176,28 +181,43 @@ private:
         limiting = i;
       }
     m_limit = side() / longest;
-    for(int quarters = 0; quarters < 4; ++quarters)
+    for(int quarters = 0; quarters < 2; ++quarters)
       m_turns[limiting].push_back(tightest_square_angle(m_outlines[limiting]) + quarters * CGAL_PI / 2);
   }
 
   // Whether there is any scale at which all charts fit.
   bool find_first(int resolution)
   {
-    constexpr double hopeful_fill = 0.75, shrinking = 0.93, hopeless = 1e-3;
-    double area = 0;
-    for(const Chart_outline& outline : m_outlines)
-      area += outline.area;
-    const double first = (std::min)(m_limit, side() * std::sqrt(hopeful_fill / area));
+    constexpr double shrinking = 0.93, hopeless = 1e-3;
+    const double first = hopeful_scale();
     for(double scale = first; scale > hopeless * first; scale *= shrinking)
       if(try_scale(resolution, scale))
         return true;
     return false;
   }
 
+  // At which the charts, each with half of the margin around, leave as much room as they may be expected to.
+  double hopeful_scale() const
+  {
+    constexpr double hopeful_fill = 0.75;
+    double area = 0, perimeter = 0; // of the margins, not more than that of the hulls
+    for(const Chart_outline& outline : m_outlines)
+    {
+      area += outline.area;
+      for(std::size_t i = 0; i < outline.hull.size(); ++i)
+        perimeter += (outline.hull[(i + 1) % outline.hull.size()] - outline.hull[i]).norm();
+    }
+    const double linear = 0.25 * m_margin * perimeter, disks = 0.25 * m_margin * m_margin * CGAL_PI * double(m_outlines.size());
+    const double room = hopeful_fill * (side() + m_margin) * (side() + m_margin) - disks;
+    // The root of area * scale^2 + 2 * linear * scale = room.
+    const double scale = room > 0 ? room / (linear + std::sqrt(linear * linear + area * room)) : side() * std::sqrt(hopeful_fill / area);
+    return (std::min)(m_limit, scale);
+  }
+
   // Scales up by `factor` as long as that succeeds, then by less, until steps are below `finest`.
   void grow(int resolution, double factor, double finest)
   {
-    while(factor > finest && m_go_further())
+    while(factor > finest && m_control.go_further())
       if(m_best->scale * factor > m_limit || !try_scale(resolution, m_best->scale * factor))
         factor = std::sqrt(factor);
   }
@@ -230,7 +250,7 @@ private:
     const int sweeps = (std::min)(100, 3000 / int(charts.size())); // a sweep takes longer for more charts
     Packed_charts best = *m_best;
     Chart_separator separator(charts, seed);
-    for(double factor = first; factor > finest && m_go_further();)
+    for(double factor = first; factor > finest && m_control.go_further();)
     {
       const double scale = best.scale * factor;
       const Eigen::Vector2d corner = Eigen::Vector2d::Constant(m_margin + tolerance * scale);
@@ -238,7 +258,7 @@ private:
       for(const Chart_motion& motion : best.motions)
         motions.emplace_back(motion.angle, (motion.translation - corner) / scale);
       const Square_room room = {side() / scale - 2 * tolerance, m_margin / scale + 2 * tolerance, tolerance};
-      if(scale > m_limit || !separator.separate(motions, room, sweeps, m_go_further))
+      if(scale > m_limit || !separator.separate(motions, room, sweeps, m_control))
       {
         factor = std::sqrt(factor);
         continue;
@@ -262,7 +282,7 @@ private:
     std::vector<Places> found(m_strategies.size());
     CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_strategies.size()), [&](int i)
     {
-      if(!m_best || m_go_further())
+      if(!m_best || m_control.go_further())
         found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i]);
     });
     std::vector<Packing_strategy> successful;
@@ -287,15 +307,16 @@ private:
     for(std::size_t i = 0; i < places.size(); ++i)
     {
       const Grid_place& place = places[i];
-      const Eigen::Vector2d origin = masks[i][place.turn].origin + Eigen::Vector2d(place.cell.x, place.cell.y);
-      packed.motions.push_back({m_turns[i][place.turn], Eigen::Vector2d::Constant(m_margin) + origin / resolution});
+      const Chart_mask& mask = masks[i][place.mask];
+      const Eigen::Vector2d origin = mask.origin + Eigen::Vector2d(place.cell.x, place.cell.y);
+      packed.motions.push_back({mask.angle, Eigen::Vector2d::Constant(m_margin) + origin / resolution});
     }
     return packed;
   }
 
   const std::vector<Chart_outline> m_outlines;
   const double m_margin;
-  const Go_further m_go_further;
+  Run_control& m_control;
   std::vector<std::vector<double> > m_turns; // angles
   std::vector<Packing_strategy> m_strategies;
   double m_limit = 0; // of the scale

@@ -55,16 +55,25 @@ public:
     std::iota(m_order.begin(), m_order.end(), 0);
   }
 
-  // Whether it succeeded, within a number of sweeps over the charts; the motions are then those found.
+  // Whether it succeeded, within a number of sweeps over the charts; the motions are then those found. Attempts that
+  // stagnate are given up: where charts do not come apart steadily, they hardly ever do.
   bool separate(std::vector<Rigid_motion>& motions, const Square_room& room, int sweeps, const Go_further& go_further)
   {
+    const int patience = 12 + 200 / int(m_charts.size()); // sweeps: luck is cheap where there are few charts
     m_room = room;
     m_motions.swap(motions);
     m_weights.assign(m_charts.size() * (m_charts.size() + 1), 1.);
     bool is_separated = false;
-    for(int i = 0; i < sweeps && !is_separated && go_further(); ++i)
+    double least = std::numeric_limits<double>::infinity();
+    for(int i = 0, last = 0; i < sweeps && !is_separated && i - last < patience && go_further(); ++i)
     {
-      is_separated = sweep(i >= patience);
+      const double depth = sweep(i >= sweeps_without_search);
+      is_separated = depth == 0;
+      if(depth < least)
+      {
+        least = depth;
+        last = i;
+      }
       if(!is_separated)
         reweight();
     }
@@ -74,7 +83,7 @@ public:
   }
 
 private:
-  static constexpr int patience = 4, trials = 20; // sweeps before charts try other places, and how many
+  static constexpr int sweeps_without_search = 4, trials = 20; // before charts try other places, and how many
 
   struct Contact
   {
@@ -85,25 +94,25 @@ private:
   double& weight(int i, int j) { return m_weights[std::size_t((std::max)(i, j)) * m_charts.size() + (std::min)(i, j)]; }
   double& border_weight(int i) { return m_weights[m_charts.size() * m_charts.size() + i]; }
 
-  // Whether there was nothing to move.
-  bool sweep(bool do_search)
+  // By how much charts were too close, summed up as each had its turn; 0 if there was nothing to move.
+  double sweep(bool do_search)
   {
     for(int i = int(m_order.size()) - 1; i > 0; --i)
       std::swap(m_order[i], m_order[m_random.get_int(0, i + 1)]);
-    bool is_separated = true;
+    double depth = 0;
     for(const int i : m_order)
     {
       find_contacts(i, m_motions[i]);
       if(m_deepest <= m_room.slack)
         continue;
-      is_separated = false;
+      depth += m_deepest;
       Rigid_motion best = m_motions[i];
       double least = descend(i, best, 4);
       if(do_search && least > 0)
         search(i, best, least);
       m_motions[i] = best;
     }
-    return is_separated;
+    return depth;
   }
 
   // Samples may miss where narrow charts cross.
@@ -207,9 +216,9 @@ private:
     {
       if(j == i || !can_meet(i, motion, j))
         continue;
-      energy += field_contacts(i, motion, j, m_motions[j], 1);
+      energy += field_contacts(i, motion, j, m_motions[j], 1, limit - energy);
       if(energy < limit)
-        energy += field_contacts(j, m_motions[j], i, motion, -1);
+        energy += field_contacts(j, m_motions[j], i, motion, -1, limit - energy);
     }
     return (std::min)(energy, limit);
   }
@@ -248,8 +257,10 @@ private:
     return energy;
   }
 
-  // Samples of chart `i` in the field of chart `j`, which push the former for side 1 and the latter for side -1.
-  double field_contacts(int i, const Rigid_motion& at_i, int j, const Rigid_motion& at_j, double side)
+  // Samples of chart `i` in the field of chart `j`, which push the former for side 1 and the latter for side -1. Those
+  // beyond `limit` are not looked for.
+  double field_contacts(int i, const Rigid_motion& at_i, int j, const Rigid_motion& at_j, double side,
+                        double limit = std::numeric_limits<double>::infinity())
   {
     const double reach = m_room.distance + m_room.slack, radius = m_charts[j].radius + reach;
     const Rigid_motion relative = at_i.relative_to(at_j);
@@ -262,6 +273,8 @@ private:
       const Signed_distance found = m_charts[j].field(p);
       if(found.distance < reach)
         energy += add_contact(at_j(p), side * at_j.turned(found.direction), reach - found.distance, weight(i, j));
+      if(energy >= limit)
+        break;
     }
     return energy;
   }

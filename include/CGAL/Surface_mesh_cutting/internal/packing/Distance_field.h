@@ -41,11 +41,11 @@ class Distance_field
 {
 public:
   // Points farther than `reach` outside are at infinity.
-  Distance_field(std::vector<Outline_segment> outline, double reach)
-    : m_outline(std::move(outline))
+  Distance_field(const std::vector<Outline_segment>& outline, double reach)
+    : m_lines(outline.begin(), outline.end())
   {
-    for(const Outline_segment& s : m_outline)
-      m_box.add(s.source);
+    for(const Line& line : m_lines)
+      m_box.add(line.source);
     m_box.grow(reach);
     m_cell = (std::max)(m_box.longest_side() / resolution, (std::numeric_limits<double>::min)());
     m_columns = int(m_box.size().x() / m_cell) + 1;
@@ -61,7 +61,7 @@ public:
     if(!(x >= 0 && y >= 0 && x < m_columns && y < m_rows))
       return Signed_distance();
     const std::size_t cell = std::size_t(y) * m_columns + std::size_t(x);
-    return closest(p, m_begins[cell], m_begins[cell + 1]);
+    return closest(p, m_begins[cell], m_begins[cell + 1], m_is_inside[cell]);
   }
 
 private:
@@ -72,61 +72,96 @@ private:
     const double diagonal = std::sqrt(2.) * m_cell;
     m_distances.clear();
     double least = std::numeric_limits<double>::infinity();
-    for(const Outline_segment& s : m_outline)
+    int winding_number = 0;
+    for(const Line& line : m_lines)
     {
-      m_distances.push_back(std::sqrt(squared_distance_to_segment(center, s)));
+      winding_number += line.winding_number(center);
+      m_distances.push_back(line.offset_to(center).norm());
       least = (std::min)(least, m_distances.back());
     }
     const double limit = least + (least > 3 * diagonal ? 1e-9 * least : diagonal);
-    for(std::size_t i = 0; i < m_outline.size(); ++i)
+    for(std::size_t i = 0; i < m_lines.size(); ++i)
       if(m_distances[i] <= limit)
         m_candidates.push_back(int(i));
     m_begins.push_back(int(m_candidates.size()));
     const int begin = m_begins[m_begins.size() - 2];
-    if(least > reach + 0.5 * diagonal && closest(center, begin, m_begins.back()).distance > 0) // never reached
+    m_is_inside.push_back(winding_number != 0);
+    if(least > reach + 0.5 * diagonal && !m_is_inside.back()) // never reached
     {
       m_candidates.resize(std::size_t(begin));
       m_begins.back() = begin;
     }
   }
 
-  // At a corner, the segment seen less slantwise tells the side.
-  Signed_distance closest(const Eigen::Vector2d& p, int begin, int end) const
+  // At a corner, the segment seen less slantwise tells the side. Where the border runs back along itself, the center of
+  // the cell does: a slit and a chart without area have the same segments.
+  Signed_distance closest(const Eigen::Vector2d& p, int begin, int end, bool is_inside) const
   {
     double least = std::numeric_limits<double>::infinity(), height = 0;
     Eigen::Vector2d offset = Eigen::Vector2d::Zero(), normal = offset;
     for(int i = begin; i < end; ++i)
     {
-      const Outline_segment& s = m_outline[m_candidates[i]];
-      const Eigen::Vector2d d = s.target - s.source, q = p - s.source;
-      const double length = d.squaredNorm(), dot = q.dot(d);
-      const double t = dot <= 0 ? 0 : dot >= length ? 1 : dot / length;
-      const Eigen::Vector2d v = q - t * d;
+      const Line& line = m_lines[m_candidates[i]];
+      const Eigen::Vector2d v = line.offset_to(p);
       const double squared = v.squaredNorm();
       if(squared > least * (1 + 1e-9))
         continue;
-      const double h = length > 0 ? (d.y() * q.x() - d.x() * q.y()) / std::sqrt(length) : 0;
-      if(squared < least * (1 - 1e-9) || std::abs(h) > std::abs(height))
+      const double h = line.normal.dot(p - line.source);
+      const bool is_opposite = std::abs(h + height) <= 1e-9 * std::abs(height);
+      if(squared < least * (1 - 1e-9) || (is_opposite ? (h < 0) == is_inside : std::abs(h) > std::abs(height)))
       {
         least = squared;
         height = h;
         offset = v;
-        normal = Eigen::Vector2d(d.y(), -d.x());
+        normal = line.normal;
       }
     }
     if(end == begin)
       return Signed_distance();
     const double distance = std::sqrt(least);
     if(!(distance > 0))
-      return {0, normal.normalized()};
+      return {0, normal};
     return height >= 0 ? Signed_distance{distance, offset / distance} : Signed_distance{-distance, -offset / distance};
   }
 
-  const std::vector<Outline_segment> m_outline;
+  // A segment, and what is asked for often.
+  struct Line
+  {
+    Eigen::Vector2d source, direction, normal; // the last one of length 1, to the right
+    double inverse_squared_length = 0;         // 0 for a point
+
+    explicit Line(const Outline_segment& s)
+      : source(s.source), direction(s.target - s.source), normal(direction.y(), -direction.x())
+    {
+      normal.normalize(); // keeps zero
+      if(direction.squaredNorm() > 0)
+        inverse_squared_length = 1 / direction.squaredNorm();
+    }
+
+    // What the segment adds to the winding number of the outline around `p`.
+    int winding_number(const Eigen::Vector2d& p) const
+    {
+      const bool is_below = source.y() <= p.y();
+      if(is_below == (source.y() + direction.y() <= p.y()))
+        return 0;
+      const bool is_left = normal.dot(p - source) < 0;
+      return is_below && is_left ? 1 : !is_below && !is_left ? -1 : 0;
+    }
+
+    // From the closest point of the segment to `p`.
+    Eigen::Vector2d offset_to(const Eigen::Vector2d& p) const
+    {
+      const Eigen::Vector2d q = p - source;
+      return q - (std::min)(1., (std::max)(0., q.dot(direction) * inverse_squared_length)) * direction;
+    }
+  };
+
+  std::vector<Line> m_lines;
   Surface_mesh_parameterization::internal::Bounding_box<2> m_box;
   double m_cell;
   int m_columns, m_rows;
   std::vector<int> m_begins = {0}, m_candidates; // of cells, row by row: segments
+  std::vector<char> m_is_inside;                 // of the centers of cells
   std::vector<double> m_distances;
 };
 

@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Where a chart lies on the grid, and which of its turns it took.
+// Where a chart lies on the grid, and as which of its masks.
 struct Grid_place
 {
-  int turn;
+  int mask;
   Cell cell;
 };
 
@@ -42,7 +42,7 @@ struct Packing_strategy
   double height_share; // what is low: at 1 the top of a chart, at 0 its bottom
 };
 
-using Chart_masks = std::vector<Chart_mask>; // one for each turn of a chart
+using Chart_masks = std::vector<Chart_mask>; // two for each turn of a chart, of which the second is upside down
 
 template <typename ConcurrencyTag>
 std::vector<Chart_masks> chart_masks(const std::vector<Chart_outline>& outlines, const std::vector<std::vector<double> >& turns,
@@ -51,9 +51,12 @@ std::vector<Chart_masks> chart_masks(const std::vector<Chart_outline>& outlines,
   std::vector<Chart_masks> masks(outlines.size());
   CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(outlines.size()), [&](int i)
   {
-    masks[i].reserve(turns[i].size());
+    masks[i].reserve(2 * turns[i].size());
     for(const double angle : turns[i])
+    {
       masks[i].emplace_back(outlines[i], angle, factor, margin);
+      masks[i].push_back(masks[i].back().upside_down());
+    }
   });
   return masks;
 }
@@ -76,7 +79,7 @@ public:
       if(!place)
         return std::nullopt;
       places[i] = *place;
-      m_free.take(m_masks[i][place->turn], place->cell);
+      m_free.take(m_masks[i][place->mask], place->cell);
     }
     return places;
   }
@@ -95,17 +98,17 @@ private:
     }
     std::optional<Grid_place> best;
     double lowest = std::numeric_limits<double>::infinity();
-    for(int turn = 0; turn < int(masks.size()); ++turn)
+    for(int k = 0; k < int(masks.size()); ++k)
     {
-      const double height = height_share * masks[turn].height;
+      const double height = height_share * masks[k].height;
       const int end = best ? int(std::ceil(lowest - height)) : m_free.size();
-      const std::optional<Cell> cell = m_free.lowest_place(masks[turn], m_begins[turn], end);
+      const std::optional<Cell> cell = m_free.lowest_place(masks[k], m_begins[k], end);
       if(cell)
       {
-        best = Grid_place{turn, *cell};
+        best = Grid_place{k, *cell};
         lowest = cell->y + height;
       }
-      m_begins[turn] = (std::max)(m_begins[turn], cell ? cell->y : end);
+      m_begins[k] = (std::max)(m_begins[k], cell ? cell->y : end);
     }
     return best;
   }
@@ -113,7 +116,7 @@ private:
   const std::vector<Chart_masks>& m_masks;
   const std::vector<Chart_outline>& m_outlines;
   Free_cells m_free;
-  std::vector<int> m_begins; // for each turn, the first row that is not known to be full
+  std::vector<int> m_begins; // for each mask, the first row that is not known to be full
   double m_area = 0;         // of the charts for which that is known
 };
 

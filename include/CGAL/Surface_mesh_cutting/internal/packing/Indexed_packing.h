@@ -17,8 +17,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packing_certificate.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
-
 #include <Eigen/Core>
 
 #include <functional>
@@ -27,8 +25,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-using CGAL::internal::Graph_kernel::Go_further;
 
 struct Packing_parameters
 {

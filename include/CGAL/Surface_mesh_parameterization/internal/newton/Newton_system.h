@@ -24,6 +24,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -169,33 +171,41 @@ private:
           pairs.push_back({q, p});
         }
       }
-    const std::vector<int> order = fill_reducing_order(adjacency(n, pairs));
+    const std::vector<int> order = fill_reducing_order(adjacency(n, std::move(pairs)));
     for(int i = 0; i < n; ++i)
       m_positions[vertices[order[i]]] = i;
   }
 
-  static Sparse_matrix adjacency(int n, const std::vector<std::array<int, 2> >& pairs)
+  // Pairs of column and row, any of them several times. Sorted by rows first, they are sorted in each column, too.
+  static Sparse_matrix adjacency(int n, std::vector<std::array<int, 2> > pairs)
   {
-    std::vector<int> starts(n + 1, 0);
-    for(const auto& p : pairs)
-      ++starts[p[0] + 1];
-    for(int i = 0; i < n; ++i)
-      starts[i + 1] += starts[i];
-    std::vector<int> rows(pairs.size()), end(starts.begin(), starts.end() - 1);
-    for(const auto& p : pairs)
-      rows[end[p[0]]++] = p[1];
+    pairs = sorted_by(1, n, pairs);
+    pairs = sorted_by(0, n, pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     Sparse_matrix matrix(n, n);
-    matrix.reserve(Eigen::Index(pairs.size() + n));
-    for(int c = 0; c < n; ++c)
+    matrix.resizeNonZeros(Eigen::Index(pairs.size()));
+    std::fill_n(matrix.outerIndexPtr(), n + 1, 0);
+    for(std::size_t i = 0; i < pairs.size(); ++i)
     {
-      std::sort(rows.begin() + starts[c], rows.begin() + starts[c + 1]);
-      const auto last = std::unique(rows.begin() + starts[c], rows.begin() + starts[c + 1]);
-      matrix.startVec(c);
-      for(auto it = rows.begin() + starts[c]; it != last; ++it)
-        matrix.insertBack(*it, c) = 1;
+      ++matrix.outerIndexPtr()[pairs[i][0] + 1];
+      matrix.innerIndexPtr()[i] = pairs[i][1];
+      matrix.valuePtr()[i] = 1;
     }
-    matrix.finalize();
+    std::partial_sum(matrix.outerIndexPtr(), matrix.outerIndexPtr() + n + 1, matrix.outerIndexPtr());
     return matrix;
+  }
+
+  // Those with the same member `k`, which is below `n`, keep their order.
+  static std::vector<std::array<int, 2> > sorted_by(int k, int n, const std::vector<std::array<int, 2> >& pairs)
+  {
+    std::vector<int> ends(n + 1, 0);
+    for(const auto& p : pairs)
+      ++ends[p[k] + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<std::array<int, 2> > sorted(pairs.size());
+    for(const auto& p : pairs)
+      sorted[ends[p[k]]++] = p;
+    return sorted;
   }
 
   void build_pattern(const std::vector<Triangle>& triangles)
@@ -210,7 +220,7 @@ private:
         if(p >= 0 && q >= 0)
           pairs.push_back({(std::max)(p, q), (std::min)(p, q)});
       }
-    const Sparse_matrix blocks = adjacency(n, pairs);
+    const Sparse_matrix blocks = adjacency(n, std::move(pairs));
 
     m_hessian.resize(2 * n, 2 * n);
     m_hessian.resizeNonZeros(4 * blocks.nonZeros() + 3 * n);

@@ -1,0 +1,262 @@
+// The pieces of packing against their definitions, in other words and by other means: cells and distances by CGAL's
+// predicates and distances of all segments, simplified outlines and separated charts by what they promise.
+
+#undef NDEBUG
+#include <CGAL/Surface_mesh_cutting/internal/packing/Chart_mask.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
+
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cassert>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_cutting::internal;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Polygon = CGAL::Polygon_2<Kernel>;
+
+std::vector<Eigen::Vector2d> random_star(CGAL::Random& random)
+{
+  std::vector<Eigen::Vector2d> corners;
+  const int number = random.get_int(3, 24);
+  for(int k = 0; k < number; ++k)
+  {
+    const double angle = 2 * CGAL_PI * k / number, radius = random.get_double(0.3, 1);
+    corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return corners;
+}
+
+std::vector<Outline_segment> segments_of(const std::vector<Eigen::Vector2d>& corners)
+{
+  std::vector<Outline_segment> segments;
+  for(std::size_t i = 0; i < corners.size(); ++i)
+    segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  return segments;
+}
+
+Point to_point(const Eigen::Vector2d& p) { return Point(p.x(), p.y()); }
+
+Polygon to_polygon(const std::vector<Eigen::Vector2d>& corners)
+{
+  Polygon polygon;
+  for(const Eigen::Vector2d& p : corners)
+    polygon.push_back(to_point(p));
+  return polygon;
+}
+
+template <typename Object>
+double distance_to_border(const Polygon& polygon, const Object& object)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for(const auto& edge : polygon.edges())
+    least = (std::min)(least, CGAL::to_double(CGAL::squared_distance(edge, object)));
+  return std::sqrt(least);
+}
+
+// Of a unit cell to the closed polygon.
+double distance_of_cell(const Polygon& polygon, int x, int y)
+{
+  const Polygon cell = to_polygon({{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}});
+  if(!polygon.has_on_unbounded_side(cell[0]) || !cell.has_on_unbounded_side(polygon[0]))
+    return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for(const auto& edge : cell.edges())
+    least = (std::min)(least, distance_to_border(polygon, edge));
+  return least;
+}
+
+bool has_cell(const std::vector<Cell_run>& runs, int x, int y)
+{
+  for(const Cell_run& run : runs)
+    if(run.row == y && run.first <= x && x <= run.last)
+      return true;
+  return false;
+}
+
+void check_mask(const Chart_mask& mask, const std::vector<Eigen::Vector2d>& corners, double factor, double margin)
+{
+  constexpr double rounding = 3e-3; // of a cell: more than the mask adds
+  const Rigid_motion motion(mask.angle, mask.origin);
+  std::vector<Eigen::Vector2d> moved;
+  for(const Eigen::Vector2d& p : corners)
+    moved.push_back(motion(factor * p));
+  const Polygon polygon = to_polygon(moved);
+  const int border = int(margin) + 3;
+  for(int y = -border; y < mask.height + border; ++y)
+    for(int x = -border; x < mask.width + border; ++x)
+    {
+      const double distance = distance_of_cell(polygon, x, y);
+      assert(distance > 0 || has_cell(mask.inner, x, y));
+      assert(distance < rounding || !has_cell(mask.inner, x, y));
+      assert(distance > margin || has_cell(mask.outer, x, y));
+      assert(distance < margin + rounding || !has_cell(mask.outer, x, y));
+      if(has_cell(mask.inner, x, y))
+        assert(x >= 0 && y >= 0 && x < mask.width && y < mask.height);
+    }
+  for(std::size_t i = 1; i < mask.inner.size(); ++i)
+    assert(mask.inner[i - 1].length() >= mask.inner[i].length());
+}
+
+void test_masks(CGAL::Random& random)
+{
+  for(int round = 0; round < 20; ++round)
+  {
+    const std::vector<Eigen::Vector2d> corners = random_star(random);
+    Chart_outline outline;
+    outline.segments = segments_of(corners);
+    const double factor = random.get_double(1, 10), margin = random.get_double(0, 3);
+    const Chart_mask mask(outline, random.get_double(0, 7), factor, margin);
+    check_mask(mask, corners, factor, margin);
+    check_mask(mask.upside_down(), corners, factor, margin);
+  }
+}
+
+void test_distances(CGAL::Random& random)
+{
+  for(int round = 0; round < 20; ++round)
+  {
+    const std::vector<Eigen::Vector2d> corners = random_star(random);
+    const Polygon polygon = to_polygon(corners);
+    constexpr double reach = 0.1;
+    const Distance_field field(segments_of(corners), reach);
+    for(int k = 0; k < 1000; ++k)
+    {
+      const Eigen::Vector2d p(random.get_double(-1.5, 1.5), random.get_double(-1.5, 1.5));
+      const double distance = distance_to_border(polygon, to_point(p));
+      const bool is_inside = polygon.has_on_bounded_side(to_point(p));
+      const Signed_distance found = field(p);
+      if(!is_inside && distance > reach)
+        assert(found.distance > reach * (1 - 1e-9));
+      else
+      {
+        assert((found.distance < 0) == is_inside || distance < 1e-9);
+        // Deep inside, it is off by up to the diagonal of a cell, of which 48 lie along the box.
+        const double error = std::abs(std::abs(found.distance) - distance);
+        assert(error < (is_inside && distance > 0.12 ? 0.07 : 1e-9));
+        // Following the direction leads to the border.
+        const Eigen::Vector2d foot = p - found.distance * found.direction;
+        assert(std::abs(found.direction.norm() - 1) < 1e-9);
+        assert(distance_to_border(polygon, to_point(foot)) < 1e-9);
+      }
+    }
+  }
+}
+
+// The same two segments are a slit in one chart, and all of another one, which has no area.
+void test_slit_and_sliver()
+{
+  const Eigen::Vector2d a(-0.5, 0.), b(0.5, 0.);
+  const std::vector<Outline_segment> sliver = {{a, b}, {b, a}};
+  std::vector<Outline_segment> slit = segments_of({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+  slit.insert(slit.end(), sliver.begin(), sliver.end());
+  const Distance_field around(sliver, 0.2), inside(slit, 0.2);
+  for(const double y : {-0.1, -0.03, 0.03, 0.1})
+    for(const double x : {-0.4, 0.1, 0.45})
+    {
+      const Eigen::Vector2d p(x, y);
+      assert(std::abs(around(p).distance - std::abs(y)) < 1e-12 && around(p).direction.y() * y > 0);
+      assert(std::abs(inside(p).distance + std::abs(y)) < 1e-12 && inside(p).direction.y() * y < 0);
+    }
+}
+
+void test_simplified_outlines(CGAL::Random& random)
+{
+  for(int round = 0; round < 20; ++round)
+  {
+    constexpr double tolerance = 0.02;
+    std::vector<Eigen::Vector2d> corners; // a wave around a circle, finer than what is kept of it
+    const int number = 400, waves = random.get_int(2, 60);
+    for(int k = 0; k < number; ++k)
+    {
+      const double angle = 2 * CGAL_PI * k / number, radius = 1 + 0.05 * std::sin(waves * angle);
+      corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    const std::vector<Outline_segment> simplified = simplified_outline(segments_of(corners), tolerance);
+    assert(simplified.size() >= 3 && simplified.size() < corners.size() / 2);
+    std::vector<Eigen::Vector2d> kept;
+    for(std::size_t i = 0; i < simplified.size(); ++i)
+    {
+      assert(simplified[i].target == simplified[(i + 1) % simplified.size()].source);
+      assert(std::find(corners.begin(), corners.end(), simplified[i].source) != corners.end());
+      kept.push_back(simplified[i].source);
+    }
+    const Polygon polygon = to_polygon(kept);
+    assert(polygon.is_counterclockwise_oriented());
+    for(const Eigen::Vector2d& p : corners)
+      assert(distance_to_border(polygon, to_point(p)) <= tolerance * (1 + 1e-12));
+  }
+}
+
+Rigid_chart rectangle(double width, double height)
+{
+  const double x = 0.5 * width, y = 0.5 * height;
+  return Rigid_chart(segments_of({{-x, -y}, {x, -y}, {x, y}, {-x, y}}), 1);
+}
+
+void test_overlaps()
+{
+  const Rigid_chart bar = rectangle(10, 0.01), square = rectangle(1, 1);
+  const Rigid_motion here(0, {0, 0}), upright(CGAL_PI / 2, {0.123, 0.2}), far(0.3, {0, 6});
+  assert(do_overlap(bar, here, bar, upright)); // though none has a corner in the other one
+  assert(!do_overlap(bar, here, bar, far));
+  assert(do_overlap(square, here, rectangle(0.1, 0.1), here) && do_overlap(rectangle(0.1, 0.1), here, square, here));
+}
+
+// Squares thrown onto each other come apart where there is room, and only there.
+void test_separation(CGAL::Random& random)
+{
+  constexpr double distance = 0.1, slack = 1e-3;
+  const std::vector<Rigid_chart> charts(4, rectangle(1, 1));
+  for(const double side : {3.2, 1.9})
+  {
+    std::vector<Rigid_motion> motions;
+    for(std::size_t i = 0; i < charts.size(); ++i)
+      motions.emplace_back(random.get_double(0, 7), Eigen::Vector2d(random.get_double(1, 1.5), random.get_double(1, 1.5)));
+    Chart_separator separator(charts, 0);
+    const bool is_separated
+      = separator.separate(motions, {side, distance, slack}, 200, CGAL::internal::Graph_kernel::always_go_further);
+    assert(is_separated == (side > 2));
+    if(!is_separated)
+      continue;
+    std::vector<Polygon> polygons;
+    for(std::size_t i = 0; i < charts.size(); ++i)
+    {
+      std::vector<Eigen::Vector2d> corners;
+      for(const Outline_segment& s : charts[i].outline)
+      {
+        corners.push_back(motions[i](s.source));
+        assert(corners.back().minCoeff() >= 0 && corners.back().maxCoeff() <= side);
+      }
+      polygons.push_back(to_polygon(corners));
+      for(std::size_t j = 0; j < i; ++j)
+      {
+        assert(!do_overlap(charts[i], motions[i], charts[j], motions[j]));
+        for(const auto& edge : polygons[i].edges())
+          assert(distance_to_border(polygons[j], edge) >= distance);
+      }
+    }
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 1;
+  std::cout << "seed " << seed << std::endl;
+  CGAL::Random random(seed);
+  test_masks(random);
+  test_distances(random);
+  test_slit_and_sliver();
+  test_simplified_outlines(random);
+  test_overlaps();
+  test_separation(random);
+  return EXIT_SUCCESS;
+}
