@@ -133,20 +133,17 @@ void test_length_at_bound()
 // A default run moves ends at the bound: it finds a shorter cut than a fast run, which keeps the bound as well.
 void test_moved_ends()
 {
+  constexpr double bound = 4.1;
   Mesh mesh = star(16);
-  for(double bound : {4.3, 4.1})
-  {
-    const std::string name = std::to_string(bound);
-    Maps fast(mesh, ("fast" + name).c_str()), moved(mesh, ("moved" + name).c_str());
-    const auto np = CGAL::parameters::maximum_average_distortion(bound);
-    const auto first = SMC::unwrap(mesh, fast.is_cut, fast.uv, np.effort(SMC::Effort::FAST));
-    const auto second = SMC::unwrap(mesh, moved.is_cut, moved.uv, np);
-    std::cout << "moved ends: length " << first.cut_length << " -> " << second.cut_length << std::endl;
-    check(bool(second) && bool(SMC::certify_unwrap(mesh, moved.is_cut, moved.uv)), "moved ends");
-    check(measure(mesh, moved) <= bound + 1e-12, "the bound holds with moved ends");
-    check(second.cut_length < first.cut_length, "moved ends make a cut shorter");
-    check_trade_offs(second);
-  }
+  Maps fast(mesh, "fast"), moved(mesh, "moved");
+  const auto np = CGAL::parameters::maximum_average_distortion(bound);
+  const auto first = SMC::unwrap(mesh, fast.is_cut, fast.uv, np.effort(SMC::Effort::FAST));
+  const auto second = SMC::unwrap(mesh, moved.is_cut, moved.uv, np);
+  std::cout << "moved ends: length " << first.cut_length << " -> " << second.cut_length << std::endl;
+  check(bool(second) && bool(SMC::certify_unwrap(mesh, moved.is_cut, moved.uv)), "moved ends");
+  check(measure(mesh, moved) <= bound + 1e-12, "the bound holds with moved ends");
+  check(second.cut_length < 0.95 * first.cut_length, "moved ends make a cut shorter");
+  check_trade_offs(second);
 }
 
 // Where nothing may be cut on one half of the surface, no cut flattens that; the run ends all the same,
