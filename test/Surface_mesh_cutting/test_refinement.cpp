@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
 #include <CGAL/Surface_mesh_cutting/cut_length.h>
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
 #include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
@@ -113,6 +114,38 @@ void test_bounds()
   }
 }
 
+// The power law that cuts are compared by, against known values of it.
+void test_length_at_bound()
+{
+  SMC::internal::Length_at_bound cost(4.1);
+  const auto is_near = [](double a, double b) { return std::abs(a - b) < 1e-9; };
+  check(is_near(cost(2, 4.1), 2), "at the bound, a cut costs what it costs");
+  check(is_near(cost(2, 4.2), 2 * std::cbrt(2.)) && is_near(cost(2, 4.0125), 1), "the third power of the length");
+  check(is_near(cost(2, 4), 0) && is_near(cost(2, 3.9), 0), "no distortion");
+  check(cost.can_tell(4) && cost.can_tell(4.114) && !cost.can_tell(4.116), "far above the bound");
+  const double before = cost(1, 4.05);
+  cost.compare_with(4.05);
+  check(cost(1, 4.05) > before, "length counts more as long as there is room");
+  cost.compare_with(4.11);
+  check(cost(1, 4.11) > std::cbrt(1.1), "and less above the bound");
+}
+
+// A default run moves ends at the bound: it finds a shorter cut than a fast run, which keeps the bound as well.
+void test_moved_ends()
+{
+  constexpr double bound = 4.1;
+  Mesh mesh = star(16);
+  Maps fast(mesh, "fast"), moved(mesh, "moved");
+  const auto np = CGAL::parameters::maximum_average_distortion(bound);
+  const auto first = SMC::unwrap(mesh, fast.is_cut, fast.uv, np.effort(SMC::Effort::FAST));
+  const auto second = SMC::unwrap(mesh, moved.is_cut, moved.uv, np);
+  std::cout << "moved ends: length " << first.cut_length << " -> " << second.cut_length << std::endl;
+  check(bool(second) && bool(SMC::certify_unwrap(mesh, moved.is_cut, moved.uv)), "moved ends");
+  check(measure(mesh, moved) <= bound + 1e-12, "the bound holds with moved ends");
+  check(second.cut_length < 0.95 * first.cut_length, "moved ends make a cut shorter");
+  check_trade_offs(second);
+}
+
 // Where nothing may be cut on one half of the surface, no cut flattens that; the run ends all the same,
 // with a valid result.
 void test_unreachable_bound()
@@ -205,6 +238,8 @@ void test_stopping()
 int main()
 {
   test_bounds();
+  test_length_at_bound();
+  test_moved_ends();
   test_unreachable_bound();
   test_shortening();
   test_coarser_version();

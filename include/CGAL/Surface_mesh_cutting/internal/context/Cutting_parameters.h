@@ -55,6 +55,7 @@ struct Cutting_parameters
   int number_of_starts = 1;            // of a search for features; one: there is no search
   int number_of_combinations = 0;      // of what starts find, at most
   bool runs_all_efforts = false;       // also the smaller ones; the best result is returned
+  bool moves_ends = false;             // where features are found, of a cut at a bound
   int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
   int number_of_shortening_solves = 0; // at most, where features are found
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
@@ -75,6 +76,7 @@ struct Cutting_parameters
   void adapt_to_weights()
   {
     has_weights = true;
+    moves_ends = false; // they move to cheap places
     adapt_solves_to_weights();
   }
 

@@ -110,6 +110,31 @@ public:
     return best;
   }
 
+  // The most expensive of the outer parts of branches that cost at most `limit`, or are an edge, or a whole branch that
+  // costs little more; of those that end at a vertex with `is_excluded`, none.
+  Branch_removal most_expensive_part(const Cut& cut, const std::vector<int>& features,
+                                     const std::vector<char>& is_excluded, double limit) const
+  {
+    constexpr double little_more = 1.5;
+    std::vector<char> is_end(m_mesh.number_of_vertices(), 0);
+    for(int v : features)
+      is_end[v] = 1;
+    const std::size_t open_edges = number_of_open_edges(cut);
+    Branch_removal best;
+    for(const Leaf_branch& branch : leaf_branches(m_mesh, cut, is_end))
+    {
+      const std::size_t free_edges = number_of_free_edges(branch);
+      if(is_excluded[branch.vertices.front()] || free_edges == 0 || open_edges < free_edges + 2)
+        continue;
+      Branch_removal part = outer_part(branch, free_edges);
+      if(part.cost > little_more * limit)
+        part = outer_part(branch, number_of_edges_within(branch, limit));
+      if(part.cost > best.cost)
+        best = std::move(part);
+    }
+    return best;
+  }
+
   // What closing this part costs, in energy.
   void remember(const Branch_removal& removal, double energy) { m_energies[{removal.tip, removal.new_tip}] = energy; }
 
@@ -130,6 +155,15 @@ private:
     removal.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
     removal.cost = total_cost(m_constraints, removal.edges);
     return removal;
+  }
+
+  // From the tip, at least one.
+  std::size_t number_of_edges_within(const Leaf_branch& branch, double cost) const
+  {
+    std::size_t size = 0;
+    for(double sum = 0; size < branch.edges.size() && sum + m_constraints.weights[branch.edges[size]] <= cost; ++size)
+      sum += m_constraints.weights[branch.edges[size]];
+    return (std::max)(size, std::size_t(1));
   }
 
   static double squared_opening(const Leaf_branch& branch, std::size_t size, const std::vector<double>& seam_openings)

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/End_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 
@@ -52,7 +53,7 @@ class Cut_refiner
 public:
   // The references are kept. What is mandatory, and the terminals, stay on the cut.
   Cut_refiner(const Problem& problem, const Context& context)
-    : m_mesh(problem.mesh), m_constraints(problem.constraints), m_terminals(problem.terminals),
+    : m_problem(problem), m_mesh(problem.mesh), m_constraints(problem.constraints), m_terminals(problem.terminals),
       m_parameters(context.parameters), m_slits(problem.mesh, problem.constraints),
       m_removals(problem.mesh, problem.constraints), m_cut(problem, context)
   {}
@@ -135,6 +136,39 @@ public:
       else if(end >= 0)
         is_done[end] = 1;
     }
+  }
+
+  // Moves ends of a cut that keeps the bound, by large steps and by small ones. The cut keeps the bound afterwards, too,
+  // and costs no more than before.
+  void move_ends_at_bound(bool keeps_tree)
+  {
+    constexpr double steps[] = {0.15, 0.05, 0.1}; // of the length of the cut
+    constexpr double tolerance = 0.01;            // of the energy, between two rounds
+    constexpr int patience = 2;                   // rounds without a gain
+    const double bound = m_parameters.maximum_average_distortion;
+    Mapped_cut best = m_cut.state();
+    End_search<ConcurrencyTag> search(m_problem, m_parameters, keeps_tree, m_cut);
+    search.drop_inner_features();
+    int number_of_failures = 0;
+    for(double step : steps)
+    {
+      if(number_of_failures == patience)
+        break;
+      search.move_ends(step);
+      const bool is_far = m_cut.energy() > bound + tolerance;
+      if(is_far)
+        reduce_distortion_to(bound);
+      ++number_of_failures;
+      if(m_cut.energy() <= bound && m_cut.cost() < best.cost)
+      {
+        best = m_cut.state();
+        number_of_failures = 0;
+      }
+      else if(is_far)
+        m_cut.restore(best);
+    }
+    if(!reduce_distortion_to(bound) || m_cut.cost() > best.cost)
+      m_cut.restore(std::move(best));
   }
 
   // Drops or trims branches, those first that seem to cost least energy for their cost. Then exchanges: slits
@@ -285,6 +319,7 @@ private:
     return has_slit;
   }
 
+  const Problem& m_problem;
   const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
   const std::vector<int>& m_terminals;

@@ -113,6 +113,26 @@ public:
     return best;
   }
 
+  // Slits to ends all about the tip of a part of the cut that is closed: on the part itself and within `reach` of its
+  // tip, each as far from the others as possible. Their gains are not known yet.
+  std::vector<Slit> ends_about(const Cut& cut, const std::vector<int>& closed_edges, int tip, double reach)
+  {
+    constexpr int ends_on_part = 3, number_of_ends = 5;
+    measure_distances(cut);
+    std::vector<int> ends;
+    for(int i = 1; i <= ends_on_part; ++i) // from the middle of each third
+      ends.push_back(m_mesh.source(m_mesh.halfedge(closed_edges[(2 * i - 1) * closed_edges.size() / (2 * ends_on_part)])));
+    for(double distance : {reach / 3, reach})
+      add_spread(tip, distance, number_of_ends, ends);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<Slit> slits;
+    for(int v : ends)
+      if(is_off_cut(v) && v != tip)
+        slits.push_back(slit_from(v));
+    return slits;
+  }
+
 private:
   // `tip`, and the cheapest vertices within some distances of it, each twice the one before, up to `reach`; without
   // those on the cut.
@@ -136,6 +156,28 @@ private:
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     ends.erase(std::remove_if(ends.begin(), ends.end(), [this](int v) { return !is_off_cut(v); }), ends.end());
     return ends;
+  }
+
+  // Adds vertices within `reach` of `center`, each as far from it and from the others as possible.
+  void add_spread(int center, double reach, int number, std::vector<int>& ends) const
+  {
+    std::vector<int> near;
+    Shortest_paths around(m_mesh.graph());
+    around.add_source(center);
+    around.run([&](int v)
+               {
+                 if(around.distance(v) <= reach)
+                   near.push_back(v);
+                 return around.distance(v) <= reach;
+               });
+    std::vector<double> distances(near.size(), std::numeric_limits<double>::infinity());
+    for(int last = center; number > 0; --number)
+    {
+      for(std::size_t i = 0; i < near.size(); ++i)
+        distances[i] = (std::min)(distances[i], (m_mesh.point(near[i]) - m_mesh.point(last)).norm());
+      last = near[std::max_element(distances.begin(), distances.end()) - distances.begin()];
+      ends.push_back(last);
+    }
   }
 
   bool is_off_cut(int v) const { return m_paths.distance(v) < Shortest_paths::infinity() && m_paths.last_edge(v) >= 0; }

@@ -90,6 +90,13 @@ public:
   bool map_tree(double bound) { return map_tree(bound, m_map.policy().precision); }
   bool map_tree(double bound, double precision) { return map(m_tree.cut, bound, precision); }
 
+  // Lets the tree do without it; the cut stays as it is.
+  void drop_feature(int v)
+  {
+    m_features.erase(std::remove(m_features.begin(), m_features.end(), v), m_features.end());
+    m_is_connected = false;
+  }
+
   // Takes another cut through the features and its map.
   void replace(Open_chart chart)
   {
@@ -126,10 +133,9 @@ public:
   // Closes the edges of a branch, which ends at `new_tip` then (-1: vanishes). False as for map_tree().
   bool close(const std::vector<int>& edges, int tip, int new_tip, double bound = infinity)
   {
-    m_features.erase(std::remove(m_features.begin(), m_features.end(), tip), m_features.end());
+    drop_feature(tip);
     if(new_tip >= 0)
       m_features.push_back(new_tip);
-    m_is_connected = false;
     Cut cut = m_map.cut();
     for(int e : edges)
       cut[e] = 0;

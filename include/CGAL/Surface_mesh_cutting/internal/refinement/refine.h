@@ -35,6 +35,7 @@ struct Refinement_goal
   double repair_threshold; // see `Detected_features`; without a bound
   int number_of_solves;    // at most, for shortening
   bool keeps_tree = false; // see `Refinement_limits`
+  bool moves_ends = false; // if the parameters say so, too
   double least_limit = 0;  // of the energy, without a bound: so much is allowed in any case
 };
 
@@ -48,8 +49,8 @@ void use_cheap_places(Cut_refiner<ConcurrencyTag>& refiner, Refinement_limits li
   refiner.move_ends(limits, number_of_branches);
 }
 
-// Lowers the energy to the bound if there is one, then shortens. Without a bound, what the tree
-// through the features loses against the filter's cut, or a given one, is gained back where it pays.
+// Lowers the energy to the bound if there is one, then shortens, and moves ends on request. Without a bound, what the
+// tree through the features loses against the filter's cut, or a given one, is gained back where it pays.
 template <typename ConcurrencyTag>
 void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, const Cutting_parameters& parameters)
 {
@@ -70,6 +71,13 @@ void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, c
   }
   if(parameters.has_weights && goal.number_of_solves > 0)
     use_cheap_places(refiner, limits, parameters.decrease_per_cost);
+  if(goal.moves_ends && parameters.moves_ends && refiner.cut().energy() <= goal.bound)
+  {
+    constexpr int share = 3; // of the solves, before and after; moving ends takes the rest
+    limits.number_of_solves /= share;
+    refiner.shorten(limits);
+    refiner.move_ends_at_bound(goal.keeps_tree);
+  }
   refiner.shorten(limits);
 }
 

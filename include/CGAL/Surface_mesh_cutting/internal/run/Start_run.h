@@ -94,6 +94,9 @@ private:
     return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
   }
 
+  // A coarser version showed where ends belong; a whole cut to one disk has too many.
+  bool moves_ends() const { return !m_is_coarsened && !m_problem.is_opened && !m_problem.has_many_handles; }
+
   int number_of_solves() const
   {
     return m_is_coarsened ? m_parameters.number_of_corrective_solves : m_parameters.number_of_shortening_solves;
@@ -146,7 +149,7 @@ private:
                                Component_result& result) const
   {
     const double bound = m_parameters.maximum_average_distortion;
-    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves}, result);
+    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves, false, moves_ends()}, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
       tighten(refiner, repair_threshold, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective)

@@ -30,6 +30,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
   const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();
   p.coarse_number_of_faces = 5000;
   p.number_of_corrective_solves = has_bound ? 8 : 0;
+  p.moves_ends = false;
   p.runs_all_efforts = effort == Effort::BEST;
   switch(effort)
   {
@@ -39,9 +40,10 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
     p.number_of_shortening_solves = has_bound ? 20 : 0;
     break;
   case Effort::DEFAULT:
-    p.number_of_starts = has_bound ? 1 : 3; // many solves at a bound level what starts differ by
+    p.number_of_starts = has_bound ? 1 : 3; // moving ends at a bound levels what starts differ by
     p.number_of_combinations = 0;
     p.number_of_shortening_solves = has_bound ? 60 : 8;
+    p.moves_ends = has_bound && !p.has_weights;
     break;
   case Effort::BEST:
     p.number_of_starts = 12;

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_END_SEARCH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_END_SEARCH_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Moves the ends of a cut about: trims or prolongs a branch, lets its end slide aside, or opens a slit elsewhere
+// instead. The outer part of the branch is closed, and windows around slits to other ends tell what each of them would
+// gain, relative to what closing has cost. The cut stays near a bound of the energy, above or below it.
+template <typename ConcurrencyTag>
+class End_search
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
+  static constexpr double worthwhile = 0.9995; // of the cost: less is not worth another cut
+
+public:
+  // The references are kept. `keeps_tree`: see `Refinement_limits`.
+  End_search(const Problem& problem, const Cutting_parameters& parameters, bool keeps_tree,
+             Working_cut<ConcurrencyTag>& cut)
+    : m_mesh(problem.mesh), m_terminals(problem.terminals), m_parameters(parameters), m_keeps_tree(keeps_tree),
+      m_cut(cut), m_removals(problem.mesh, problem.constraints), m_slits(problem.mesh, problem.constraints),
+      m_cost_at_bound(parameters.maximum_average_distortion)
+  {}
+
+  // Once for each branch, the most expensive first, of which at most such a share of the whole cut is closed.
+  void move_ends(double share)
+  {
+    constexpr int maximum_number_of_ends = 40;
+    std::vector<char> is_done(m_mesh.number_of_vertices(), 0);
+    for(int v : m_terminals)
+      is_done[v] = 1;
+    for(int i = 0; i < maximum_number_of_ends && m_cut.goes_on(); ++i)
+    {
+      const Branch_removal part
+        = m_removals.most_expensive_part(m_cut.cut(), m_cut.features(), is_done, share * m_cut.cost());
+      if(part.tip < 0)
+        return;
+      is_done[part.tip] = 1;
+      m_cost_at_bound.compare_with(m_cut.energy());
+      Mapped_cut former = m_cut.state();
+      if(move_end(part, former, is_done) && (!m_keeps_tree || reconnect(former)))
+        m_cost_at_bound.adapt(m_cut.energy());
+      else
+        m_cut.restore(std::move(former));
+    }
+  }
+
+  // Drops the features between ends that the cut does better without.
+  void drop_inner_features()
+  {
+    constexpr double least_decrease = 0.998; // of the cost, for a tree to be mapped
+    for(int v : inner_features())
+    {
+      if(!m_cut.goes_on())
+        return;
+      m_cost_at_bound.compare_with(m_cut.energy());
+      Mapped_cut former = m_cut.state();
+      m_cut.drop_feature(v);
+      m_cut.connect(m_parameters.connection_while_refining());
+      if(!m_cut.tree().status || m_cut.cost() > least_decrease * former.cost || !m_cut.map_tree(infinity) ||
+         !is_better_than(former))
+        m_cut.restore(std::move(former));
+    }
+  }
+
+private:
+  // That are no terminals, up to a limit: each takes another tree.
+  std::vector<int> inner_features() const
+  {
+    constexpr std::size_t maximum_number_of_trees = 20;
+    const std::vector<int> degrees = cut_degrees(m_mesh, m_cut.cut());
+    std::vector<int> inner;
+    for(int v : m_cut.features())
+      if(degrees[v] > 1 && std::find(m_terminals.begin(), m_terminals.end(), v) == m_terminals.end() &&
+         inner.size() < maximum_number_of_trees)
+        inner.push_back(v);
+    return inner;
+  }
+
+  double cost_at_bound() const { return m_cost_at_bound(m_cut.cost(), m_cut.energy()); }
+
+  bool is_better_than(const Mapped_cut& former) const
+  {
+    return m_cost_at_bound.can_tell(m_cut.energy()) &&
+           cost_at_bound() < worthwhile * m_cost_at_bound(former.cost, former.chart.energy);
+  }
+
+  // Closes the part and opens what gains most instead, if anything, which is done then. False if the former cut is
+  // better.
+  bool move_end(const Branch_removal& part, const Mapped_cut& former, std::vector<char>& is_done)
+  {
+    if(!m_cut.close(part.edges, part.tip, part.new_tip))
+      return false;
+    const Slit slit = best_slit(part, former.chart.energy);
+    if(slit.tip >= 0)
+    {
+      m_cut.open(slit);
+      is_done[slit.tip] = 1;
+      if(part.new_tip >= 0 && cut_degrees(m_mesh, m_cut.cut())[part.new_tip] > 1)
+        m_cut.drop_feature(part.new_tip); // the branch passes it
+    }
+    return is_better_than(former);
+  }
+
+  // The slit that makes the cut cheapest at the bound; the tip is -1 if none does.
+  Slit best_slit(const Branch_removal& part, double former_energy)
+  {
+    constexpr int number_of_far_ends = 3;
+    constexpr double reach = 0.7;        // of what was closed
+    constexpr double least_energy = 0.5; // relative: what estimates promise beyond is not believed
+    const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
+    std::vector<Slit> slits = m_slits.ends_about(m_cut.cut(), part.edges, part.tip,
+                                                 reach * total_length(m_mesh, part.edges));
+    for(Slit& far : m_slits.proposals(m_cut.cut(), m_cut.map().vertex_distortion(), is_excluded, number_of_far_ends))
+      slits.push_back(std::move(far));
+    const double factor = gain_over_estimate(part, former_energy);
+    const double least = ideal + least_energy * (former_energy - ideal);
+    Slit best;
+    double best_cost = cost_at_bound();
+    for(Slit& slit : slits)
+    {
+      slit.gain = factor * m_cut.map().estimate_gain(slit.edges);
+      const double cost = m_cost_at_bound(m_cut.cost() + slit.cost, (std::max)(least, m_cut.energy() - slit.gain));
+      if(cost < best_cost)
+      {
+        best_cost = cost;
+        best = std::move(slit);
+      }
+    }
+    return best_cost < m_cost_at_bound(m_cut.cost() + part.cost, former_energy) ? best : Slit();
+  }
+
+  // What opening the part again would gain is known.
+  double gain_over_estimate(const Branch_removal& part, double former_energy)
+  {
+    constexpr double least = 0.8, largest = 3;
+    const double estimate = m_cut.map().estimate_gain(part.edges);
+    if(!(estimate > 0))
+      return 1;
+    return (std::min)((std::max)((m_cut.energy() - former_energy) / estimate, least), largest);
+  }
+
+  // Takes the tree through the features instead. False if the former cut is better.
+  bool reconnect(const Mapped_cut& former)
+  {
+    const Cut present = m_cut.cut();
+    m_cut.connect(m_parameters.connection_while_refining());
+    return m_cut.tree().status &&
+           (m_cut.tree().cut == present || (m_cut.map_tree(infinity) && is_better_than(former)));
+  }
+
+  const Indexed_mesh& m_mesh;
+  const std::vector<int>& m_terminals;
+  const Cutting_parameters& m_parameters;
+  const bool m_keeps_tree;
+  Working_cut<ConcurrencyTag>& m_cut;
+  Branch_removal_search m_removals;
+  Slit_search m_slits;
+  Length_at_bound m_cost_at_bound;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_END_SEARCH_H
