@@ -42,7 +42,7 @@ Polygon_soup Soup_mutator::soup() const
   return soup;
 }
 
-// Joins polygons to neighbors across one edge: quadrilaterals, and larger polygons that need be neither flat nor convex.
+// Joins polygons to neighbors across one edge. What comes out need be neither flat nor convex.
 void Soup_mutator::dissolve_edges()
 {
   std::map<std::pair<int, int>, std::size_t> sides;

@@ -11,7 +11,8 @@ POINTS, FACES = SPHERE[0], [list(face) for face in SPHERE[1]]
 FORMS = ["ascii", "binary_little_endian", "binary_big_endian"]
 TYPES = {"char": "b", "uchar": "B", "int16": "h", "ushort": "H", "int": "i", "uint": "I", "uint32": "I", "float": "f",
          "double": "d"}
-LIMITS = {"b": (-128, 127), "B": (0, 255), "h": (-32768, 32767), "H": (0, 65535), "i": (-2**31, 2**31 - 1), "I": (0, 2**32 - 1)}
+LIMITS = {"b": (-128, 127), "B": (0, 255), "h": (-32768, 32767), "H": (0, 65535), "i": (-2**31, 2**31 - 1),
+          "I": (0, 2**32 - 1)}
 
 
 class Ply:
@@ -111,8 +112,8 @@ def random_file(form, generator):
         first, last = random_properties(element + "_a", generator), random_properties(element + "_b", generator)
         if not own and not first and not last:
             last = [("only", "int", None)]
-        elements[element] = (first + own + last, [random_row(first, generator) + list(value) + random_row(last, generator)
-                                                  for value in values])
+        rows = [random_row(first, generator) + list(value) + random_row(last, generator) for value in values]
+        elements[element] = (first + own + last, rows)
     return Ply(form, ["comment made by a test", "obj_info any", "comment texturefile is not TextureFile"], elements)
 
 
@@ -208,10 +209,11 @@ class Kept(Case):
         self.assertEqual([[float(x) for x in words[1:]] for words in lines if words[0] == "v"],
                          [[*point, i % 6 / 5, 0, 1] for i, point in enumerate(POINTS)])
         self.assertEqual([tuple(map(float, words[1:])) for words in lines if words[0] == "vn"], POINTS)
-        self.assertEqual([[int(word.split("/")[2]) - 1 for word in words[1:]] for words in lines if words[0] == "f"], FACES)
+        normals = [[int(word.split("/")[2]) - 1 for word in words[1:]] for words in lines if words[0] == "f"]
+        self.assertEqual(normals, FACES)
         self.report("out.obj", "-o", "out.ply")
-        self.assertEqual([row[3:] for row in Ply.from_bytes((self.folder / "out.ply").read_bytes()).elements["vertex"][1]],
-                         [[51 * (i % 6), 0, 255] for i in range(len(POINTS))])
+        rows = Ply.from_bytes((self.folder / "out.ply").read_bytes()).elements["vertex"][1]
+        self.assertEqual([row[3:] for row in rows], [[51 * (i % 6), 0, 255] for i in range(len(POINTS))])
 
     def test_from_obj(self):
         self.write("in.obj", to_obj(SPHERE))

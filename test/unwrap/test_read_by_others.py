@@ -1,4 +1,4 @@
-"""What the program writes, read by assimp (Debian's assimp-utils) and by the validator of Khronos (npm's gltf-validator).
+"""What the program writes, read by assimp (Debian's assimp-utils) and by the validator of Khronos (gltf-validator of npm).
 
 Tests whose tool is missing are skipped."""
 
@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from support import Case, main, sphere, torus
+from support import Case, main, sphere, to_off, torus
 
 QUADS = [tuple(one) + (two[2],) for one, two in zip(torus(8)[1][::2], torus(8)[1][1::2])]
 POINTS = [(x + 0.125 * y, y - 0.25 * x * x, z + 0.0625 * x * y) for x, y, z in torus(8)[0]]
@@ -15,7 +15,8 @@ TRIANGLES = sphere(1)[1]
 MIXED = (POINTS + [(x + 20, y, z) for x, y, z in sphere(1)[0]],
          QUADS + [tuple(v + len(POINTS) for v in face) for face in TRIANGLES])
 # Where groups and materials begin, all different, as not every reader knows of faces without any.
-STATEMENTS = {0: ["g one", "usemtl red"], 20: ["usemtl blue"], len(QUADS): ["g two parts"], len(QUADS) + 9: ["usemtl red"]}
+STATEMENTS = {0: ["g one", "usemtl red"], 20: ["usemtl blue"], len(QUADS): ["g two parts"],
+              len(QUADS) + 9: ["usemtl red"]}
 PARTS = {("one", "red"): range(20), ("one", "blue"): range(20, len(QUADS)),
          ("two parts", "blue"): range(len(QUADS), len(QUADS) + 9),
          ("two parts", "red"): range(len(QUADS) + 9, len(MIXED[1]))}
@@ -118,12 +119,15 @@ class By_others(Case):
         for options in ((), ("--texture", "check.png"), ("--uv-scale", "surface")):
             self.write_all(MIXED, *options)
             self.validate("out.glb")
+        self.write("plain.off", to_off(sphere(1)))
+        self.report("plain.off", "-o", "out.glb")
+        self.validate("out.glb")
         exit_code, _ = self.report("out.glb", "-o", "again.glb")
         if exit_code == 0:  # the program can read glTF
             self.validate("again.glb")
 
     def validate(self, name):
-        run = subprocess.run(["node", "-e", VALIDATE, name], cwd=self.folder, capture_output=True, text=True, check=True)
+        run = subprocess.run(["node", "-e", VALIDATE, name], cwd=self.folder, capture_output=True, check=True)
         issues = json.loads(run.stdout)
         self.assertEqual((issues["numErrors"], issues["numWarnings"]), (0, 0), issues["messages"])
 
