@@ -337,7 +337,11 @@ Polygon_soup read(std::string_view bytes, Load load, const std::string& folder, 
   if(bytes.size() > UINT32_MAX)
     fail("the file is too large");
   if(!load(loader, model, error, bytes, folder))
-    fail("damaged glTF: " + error.substr(0, error.find('\n')));
+  {
+    error = error.substr(0, error.find('\n'));
+    std::replace_if(error.begin(), error.end(), [](char c) { return c < 32 || c > 126; }, '?'); // quotes the file
+    fail("damaged glTF: " + error);
+  }
   return Scene_reader(model, attributes).run();
 }
 
