@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Looks for inputs that make the programs fail, with libFuzzer and sanitizers:
-#   scripts/fuzz.sh [mesh|steiner|arguments] [SECONDS] [options of libFuzzer]    (default: mesh 60)
+#   scripts/fuzz.sh [mesh|formats|steiner|arguments] [SECONDS] [options of libFuzzer]    (default: mesh 60)
 # What it learns stays in build/fuzz/TARGET/inputs; an input that fails is written beside it.
 # Looks for command lines and stops after which the program unwrap does not keep what it promises:
 #   scripts/fuzz.sh options|stops [SECONDS] [--count N] [--seed N] [--only K]

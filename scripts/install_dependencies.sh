@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs from Debian what is missing:
-#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|ci]...    (default: build test)
+# Installs what is missing, from Debian; the validator of glTF, which the tests use where it is there, from npm:
+#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator|ci]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -8,11 +8,12 @@ if [ $# -eq 0 ]; then
 fi
 
 wanted=()
+does_want_validator=no
 for purpose in "$@"; do
   case $purpose in
     build) wanted+=(g++ cmake make ninja-build libcgal-dev libeigen3-dev libboost-dev
                     libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libtinygltf-dev libjs-three) ;;
-    test)  wanted+=(libopenmesh-dev python3 chromium) ;;
+    test)  wanted+=(libopenmesh-dev python3 chromium assimp-utils) ;;
     python) wanted+=(python3-dev pybind11-dev python3-numpy python3-pytest python3-matplotlib
                      python3-pip python3-setuptools python3-wheel python3-venv) ;;
     corpus) wanted+=(parallel python3) ;;
@@ -22,30 +23,48 @@ for purpose in "$@"; do
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
     blender) wanted+=(blender xvfb xauth libgl1-mesa-dri python3) ;;
+    validator) command -v npm > /dev/null || wanted+=(nodejs npm) # others than Debian's bring their own npm
+               does_want_validator=yes ;;
     ci)    wanted+=(clang) ;;
-    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator|ci]..." >&2; exit 2 ;;
   esac
 done
 
-if ! command -v dpkg-query apt-get > /dev/null; then
-  echo "Not a Debian system; needed are the equivalents of: ${wanted[*]}" >&2
-  exit 0
-fi
+install_from_debian() {
+  if ! command -v dpkg-query apt-get > /dev/null; then
+    echo "Not a Debian system; needed are the equivalents of: $*" >&2
+    return
+  fi
+  local installed package missing=() as_root=()
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2> /dev/null || true)
+  for package in "$@"; do
+    grep -qxF "$package installed" <<< "$installed" || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    return
+  fi
+  if [ "$(id -u)" -ne 0 ]; then
+    as_root=(sudo)
+  fi
+  echo "Installing ${missing[*]}"
+  "${as_root[@]}" apt-get update
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --no-install-recommends "${missing[@]}"
+}
 
-installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2> /dev/null || true)
-missing=()
-for package in "${wanted[@]}"; do
-  grep -qxF "$package installed" <<< "$installed" || missing+=("$package")
-done
-if [ ${#missing[@]} -eq 0 ]; then
-  exit 0
-fi
+install_validator() {
+  local build
+  build=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build
+  if [ ! -d "$build/node_modules/gltf-validator" ]; then
+    mkdir -p "$build"
+    npm install --no-save --no-audit --no-fund --prefix "$build" gltf-validator@2.0.0-dev.3.10 ||
+      echo "npm cannot be reached: glTF files are not validated" >&2
+  fi
+}
 
-as_root=()
-if [ "$(id -u)" -ne 0 ]; then
-  as_root=(sudo)
+if [ ${#wanted[@]} -gt 0 ]; then
+  install_from_debian "${wanted[@]}"
 fi
-echo "Installing ${missing[*]}"
-"${as_root[@]}" apt-get update
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install --yes --no-install-recommends "${missing[@]}"
+if [ "$does_want_validator" = yes ]; then
+  install_validator
+fi

@@ -7,6 +7,8 @@
 
 #include "conversions.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/soup/name_of_interpretation.h>
+
 #include <string>
 
 namespace binding {
@@ -29,21 +31,6 @@ const char* name_of(Status_code code)
   case Status_code::NOT_CERTIFIED:          return "not_certified";
   case Status_code::STOPPED:                return "stopped";
   case Status_code::BOUND_NOT_REACHED:      return "bound_not_reached";
-  }
-  return "";
-}
-
-const char* name_of(SMC::Interpretation_kind kind)
-{
-  switch(kind)
-  {
-  case SMC::Interpretation_kind::NON_MANIFOLD_EDGES:    return "non_manifold_edges";
-  case SMC::Interpretation_kind::NON_MANIFOLD_VERTICES: return "non_manifold_vertices";
-  case SMC::Interpretation_kind::REORIENTED_FACES:      return "reoriented_faces";
-  case SMC::Interpretation_kind::DEGENERATE_FACES:      return "degenerate_faces";
-  case SMC::Interpretation_kind::DUPLICATE_FACES:       return "duplicate_faces";
-  case SMC::Interpretation_kind::WELDED_VERTICES:       return "welded_vertices";
-  case SMC::Interpretation_kind::NON_ORIENTABLE_EDGES:  return "non_orientable_edges";
   }
   return "";
 }
@@ -131,7 +118,7 @@ py::list to_list(const std::vector<SMC::Interpretation>& interpreted)
     for(const auto& edge : reading.edges)
       edges.emplace_back(edge[0], edge[1]);
     py::dict entry;
-    entry["what"] = name_of(reading.kind);
+    entry["what"] = SMC::internal::name_of(reading.kind);
     entry["elements"] = !edges.empty() ? to_array(edges)
                                        : to_array(reading.vertices.empty() ? reading.polygons : reading.vertices);
     result.append(std::move(entry));

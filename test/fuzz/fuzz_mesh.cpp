@@ -1,8 +1,10 @@
-// The bytes of a mesh file through the whole program. The first byte chooses the format, the second one the options.
+// The bytes of a mesh file through the whole program. The first byte chooses the format and how meshes are read that
+// are none of triangles, the second one the other options.
 
+#include "check_formats.h"
 #include "check_layout.h"
 #include "mesh_file.h"
-#include "obj_writer.h"
+#include "read_gltf.h"
 #include "svg_writer.h"
 #include "unwrap_file.h"
 
@@ -16,9 +18,14 @@ namespace {
 
 constexpr int largest = 400; // faces: larger ones only take longer
 
-Options options_of(unsigned bits)
+constexpr unsigned number_of_formats = 5;
+
+Options options_of(unsigned reading, unsigned bits)
 {
   Options options;
+  options.output = "out.ply"; // keeps most of what the input says
+  options.is_strict = reading % 8 == 7;
+  options.weld = reading % 3 == 0 ? "auto" : reading % 3 == 1 ? "on" : "off";
   options.is_quiet = true;
   options.solver = "eigen";
   options.effort = (bits & 1) != 0 ? "fast" : "default";
@@ -36,7 +43,8 @@ Options options_of(unsigned bits)
 Polygon_soup read(std::string_view bytes, unsigned format, Attributes attributes)
 {
   const Polygon_soup soup = format == 0 ? read_off(bytes, attributes) : format == 1 ? read_obj(bytes, attributes)
-                          : format == 2 ? read_ply(bytes, attributes) : read_stl(bytes);
+                          : format == 2 ? read_ply(bytes, attributes) : format == 3 ? read_stl(bytes, attributes)
+                          : read_glb(bytes, attributes);
   check_indices(soup);
   return soup;
 }
@@ -50,21 +58,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
   try
   {
-    const Options options = options_of(data[1]);
-    const Polygon_soup soup = read(bytes, data[0] % 4, wanted_attributes(options));
+    const Options options = options_of(data[0] / number_of_formats, data[1]);
+    const Polygon_soup soup = read(bytes, data[0] % number_of_formats, wanted_attributes(options));
     if(soup.number_of_polygons() > largest)
       return 0;
     Outcome outcome;
     const Layout layout = unwrap_soup(soup, options, outcome);
     if(!outcome.has_result)
       return 0;
-    const std::string fault = find_fault(layout, soup, is_injective(options));
+    std::string fault = find_fault(layout, soup, is_injective(options));
+    if(fault.empty())
+      fault = find_format_fault(layout);
     if(!fault.empty())
     {
       std::fprintf(stderr, "%s\n", fault.c_str());
       std::abort();
     }
-    to_obj(layout, "");
     to_svg(layout, outcome, options.svg_style);
   }
   catch(const Failure&)

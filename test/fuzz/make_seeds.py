@@ -1,10 +1,10 @@
-"""Writes the inputs that a fuzzer begins with: make_seeds.py mesh|steiner|arguments MESH_FOLDER FOLDER"""
+"""Writes the inputs that a fuzzer begins with: make_seeds.py mesh|formats|steiner|arguments MESH_FOLDER FOLDER"""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unwrap"))
-from support import (colored_off, decorated_obj, decorated_ply, joined, octahedron, sphere, to_binary_stl, to_obj,
+from support import (colored_off, decorated_obj, decorated_ply, joined, octahedron, sphere, to_binary_stl, to_glb, to_obj,
                      to_off, to_ply, to_text_stl, torus, without_face)
 
 MESHES = [octahedron(), sphere(1), torus(4), without_face(sphere(1)), joined(octahedron(), torus(3))]
@@ -17,13 +17,26 @@ COMMAND_LINES = ["mesh.off -o a.obj --json - --svg a.svg --texture a.png --obj-c
                  "mesh.off --faithful --must-cut a.txt --never-cut b.txt --terminals c.txt --edge-weights crease",
                  "mesh.off --initial-cut uv --edge-weights sky:-x --edge-weights paint:p.txt --edge-weights straight"]
 ALL_ATTRIBUTES = 32 + 64
+NUMBER_OF_FORMATS = 5  # as fuzz_mesh.cpp counts them
 
 
 def as_bytes(content):
     return content if isinstance(content, bytes) else content.encode()
 
 
+def polygon_seeds():
+    quads = [tuple(one) + (two[2],) for one, two in zip(torus(4)[1][::2], torus(4)[1][1::2])]
+    for reading in range(3):  # how vertices are welded
+        for number, to_format in FORMATS[:4]:
+            yield bytes([number + NUMBER_OF_FORMATS * reading, 1]) + as_bytes(to_format((torus(4)[0], quads)))
+    points, faces = sphere(1)
+    soup = [points[v] for face in faces for v in face], [(i, i + 1, i + 2) for i in range(0, 3 * len(faces), 3)]
+    yield bytes([0, 1]) + to_off(soup).encode()
+    yield bytes([4, 1]) + to_glb(*octahedron())
+
+
 def mesh_seeds(mesh_folder):
+    yield from polygon_seeds()
     for i, mesh in enumerate(MESHES):
         for j, (number, to_format) in enumerate(FORMATS):
             yield bytes([number, (0, 1, 6, 8, 17)[(i + j) % 5]]) + as_bytes(to_format(mesh))
@@ -33,6 +46,11 @@ def mesh_seeds(mesh_folder):
         file = mesh_folder / f"{name}.off"
         if file.exists():
             yield bytes([0, i]) + file.read_bytes()
+
+
+def format_seeds(mesh_folder):
+    for seed in mesh_seeds(mesh_folder):
+        yield bytes([seed[0] % NUMBER_OF_FORMATS]) + seed[2:]
 
 
 def grid_graph(n, terminals):
@@ -61,7 +79,7 @@ def argument_seeds(_):
 
 def main():
     target, mesh_folder, folder = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
-    seeds = {"mesh": mesh_seeds, "steiner": steiner_seeds, "arguments": argument_seeds}[target]
+    seeds = {"mesh": mesh_seeds, "formats": format_seeds, "steiner": steiner_seeds, "arguments": argument_seeds}[target]
     for i, seed in enumerate(seeds(mesh_folder)):
         (folder / f"seed_{i:02}").write_bytes(seed)
 

@@ -3,6 +3,7 @@
 import json
 import os
 import stat
+import struct
 from fractions import Fraction
 from pathlib import Path
 
@@ -60,13 +61,36 @@ def check_obj(data, number_of_vertices=None, number_of_faces=None):
         elif words[0] == "vt":
             uvs.append((float(words[1]), float(words[2])))
         elif words[0] == "f":
-            corners = [tuple(int(i) - 1 for i in word.split("/")) for word in words[1:]]
-            require(len(corners) == 3 and all(v < points for v, _ in corners), f"bad face: {line}")
-            require(is_counterclockwise(*(uvs[uv] for _, uv in corners)), f"flipped: {line}")
+            corners = [tuple(int(i) - 1 for i in word.split("/")[:2]) for word in words[1:]]
+            require(len(corners) >= 3 and all(v < points for v, _ in corners), f"bad face: {line}")
+            corner_uvs = [uvs[uv] for _, uv in corners]
+            is_triangle = len({v for v, _ in corners}) == len(corners) == 3  # others are checked by the program alone
+            require(not is_triangle or is_counterclockwise(*corner_uvs), f"flipped: {line}")
             faces += 1
     require(faces > 0, "the OBJ file has no faces")
     require(number_of_vertices in (None, points), f"{points} vertices instead of {number_of_vertices}")
     require(number_of_faces in (None, faces), f"{faces} faces instead of {number_of_faces}")
+
+
+def check_ply(data):
+    """All lines that the header announces, where the file is text."""
+    header, _, body = data.partition(b"end_header\n")
+    require(header.startswith(b"ply\n") and body, "the PLY file has no values")
+    require(b"texcoord" in header, "the PLY file has no texture coordinates")
+    if b"format ascii" in header:
+        count = sum(int(line.split()[2]) for line in header.splitlines() if line.startswith(b"element"))
+        require(data.endswith(b"\n") and body.count(b"\n") == count, "the PLY file is cut off")
+
+
+def check_glb(data):
+    require(len(data) == struct.unpack_from("<I", data, 8)[0], "the glTF file is cut off")
+    size = struct.unpack_from("<I", data, 12)[0]
+    description = json.loads(data[20:20 + size])
+    require(description["buffers"][0]["byteLength"] <= len(data) - 28 - size, "the buffer is cut off")
+
+
+def check_mesh(data):
+    (check_glb if data.startswith(b"glTF") else check_ply if data.startswith(b"ply") else check_obj)(data)
 
 
 def check_report(data, exit_code):
@@ -85,7 +109,7 @@ def check_cut(data):
 
 # By option, what its file has to be like.
 CHECKS = {
-    "--output": check_obj,
+    "--output": check_mesh,
     "--svg": lambda data: require(data.startswith(b"<svg") and data.endswith(b"</svg>\n"), "no whole picture"),
     "--html": lambda data: require(data.startswith(b"<!doctype html>") and data.endswith(b"</html>\n"), "no whole page"),
     "--texture": lambda data: require(data.startswith(b"\x89PNG") and b"IEND" in data[-12:], "no whole texture"),

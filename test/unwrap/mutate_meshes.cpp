@@ -1,10 +1,13 @@
 // Unwraps mutations of meshes, within one process, as the program does:
 //   mutate_meshes FIRST LAST MESH...
-// Mutation N is of mesh N modulo the number of meshes, with options that depend on N. Prints a line for each, and
+// Mutation N is of mesh N modulo the number of meshes, with options that depend on N. Half of them are no meshes of
+// triangles any more. Prints a line for each, and
 // ends at the first that is not answered properly: by an exception, after too long a time, or by a
 // success that is none. With FIRST = LAST - 1 it also writes the mutation as an OFF file.
 
 #include "Mesh_mutator.h"
+#include "Soup_mutator.h"
+#include "check_formats.h"
 #include "check_layout.h"
 #include "mesh_file.h"
 #include "run_unwrap.h"
@@ -16,6 +19,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <vector>
 
 #include <sys/time.h>
 #include <unistd.h>
@@ -59,6 +63,8 @@ Options pick_options(Mesh_mutator& mutator)
   options.is_bijective = mutator.pick(5) == 0;
   if(mutator.pick(10) == 0)
     options.maximum_average_distortion = 4.05;
+  options.is_strict = mutator.pick(10) == 0;
+  options.weld = std::vector<const char*>{"auto", "on", "off"}[std::size_t(mutator.pick(3))];
   return options;
 }
 
@@ -70,7 +76,12 @@ void write_off(const Polygon_soup& soup, const std::string& path)
   for(const Polygon_soup::Point& p : soup.points)
     file << p[0] << " " << p[1] << " " << p[2] << "\n";
   for(int f = 0; f < soup.number_of_polygons(); ++f)
-    file << "3 " << soup.corner(f, 0) << " " << soup.corner(f, 1) << " " << soup.corner(f, 2) << "\n";
+  {
+    file << soup.number_of_corners(f);
+    for(int k = 0; k < soup.number_of_corners(f); ++k)
+      file << " " << soup.corner(f, k);
+    file << "\n";
+  }
 }
 
 // How the program answers, or which fault its answer has.
@@ -81,7 +92,9 @@ std::string answer(const Polygon_soup& soup, const Options& options, bool& is_pr
     check_indices(soup);
     Outcome outcome;
     const Layout layout = unwrap_soup(soup, options, outcome);
-    const std::string fault = outcome.has_result ? find_fault(layout, soup, options.is_bijective) : "";
+    std::string fault = outcome.has_result ? find_fault(layout, soup, options.is_bijective) : "";
+    if(outcome.has_result && fault.empty())
+      fault = find_format_fault(layout);
     is_proper = fault.empty() && (outcome.has_result || outcome.exit_code != Exit_code::DONE);
     return std::to_string(int(outcome.exit_code)) + " " + (fault.empty() ? outcome.message : fault);
   }
@@ -112,8 +125,12 @@ int main(int argc, char** argv)
     Mesh_mutator mutator(meshes[std::size_t(number) % meshes.size()], std::uint64_t(number));
     mutator.mutate();
     const Options options = pick_options(mutator);
-    const Polygon_soup soup = mutator.soup();
-    std::cout << number << ": " << mutator.description() << "; " << options.effort
+    Soup_mutator soup_mutator(mutator.soup(), std::uint64_t(number));
+    if(std::size_t(number) / meshes.size() % 2 == 1)
+      soup_mutator.mutate();
+    const Polygon_soup soup = soup_mutator.soup();
+    std::cout << number << ": " << mutator.description() << soup_mutator.description() << "; " << options.effort
+              << (options.is_strict ? " strict" : "") << " weld " << options.weld
               << (options.is_faithful ? " faithful" : "") << (options.is_bijective ? " bijective" : "") << ": "
               << std::flush;
     if(last - first == 1)

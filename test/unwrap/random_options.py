@@ -9,11 +9,13 @@ import unittest
 from pathlib import Path, PurePath
 
 from judge import CHECKS, Fault, changes, check_no_temporary_file, check_report, require, snapshot
-from support import (PROGRAM, STATUS, as_nobody, decorated_obj, joined, sphere, to_obj, to_off, to_ply, to_text_stl,
-                     torus, without_face)
+from support import (PROGRAM, STATUS, as_nobody, decorated_obj, decorated_ply, joined, sphere, to_glb, to_obj, to_off, to_ply,
+                     to_text_stl, torus, without_face)
 
 COW = sphere(2)
 A, B, C = COW[1][0]
+QUADS = torus()[0], [tuple(one) + (two[2],) for one, two in zip(torus()[1][::2], torus()[1][1::2])]
+SOUP = [COW[0][v] for face in COW[1] for v in face], [(i, i + 1, i + 2) for i in range(0, 3 * len(COW[1]), 3)]
 START_OF_REPORT = b'{\n  "status": "'
 FILES = {
     "cow.off": to_off(COW), "torus.obj": to_obj(torus()), "text.stl": to_text_stl(sphere(1)),
@@ -21,7 +23,9 @@ FILES = {
     "truncated.off": to_off(COW)[:500], "quad.off": to_off((COW[0], [(0, 1, 2, 3)])), "empty.off": "",
     "s.txt": f"{A} {C}\n\n{A} {B}\n", "wrong.txt": "x\n", "far.txt": "1000000\n\n1 2\n", "none.txt": "",
     "weights.txt": f"{A} {B} 3\n{B} {C} inf\n", "huge.txt": f"{A} {B} 1e308\n", "paint.txt": "1 5\n2 0\n",
-    "decorated.obj": decorated_obj(COW),
+    "decorated.obj": decorated_obj(COW), "quads.obj": to_obj(QUADS), "quads.ply": to_ply(QUADS, "binary_big_endian"),
+    "soup.off": to_off(SOUP), "repeated.off": to_off((COW[0], COW[1] + COW[1][::9] + [(1, 1, 2)])),
+    "scene.glb": to_glb(*COW), "decorated.ply": decorated_ply(COW),
     "former.obj": "former", "report.json": START_OF_REPORT + b'usage"', "notes.txt": "precious",
 }
 CONSTRAINTS = ["s.txt", "s.txt", "s.txt", "wrong.txt", "far.txt", "none.txt", "weights.txt", "huge.txt", "cow.off",
@@ -38,10 +42,11 @@ VALUES = {
     "--effort": ["fast", "default", "best"], "--connect": ["mst", "sph", "greedy", "exact", "best"],
     "--max-distortion": ["4.05", "4.2", "5", "1e9"], "--alpha": ["0", "0.1", "1", "1e-300"], "--beta": ["0", "20", "1e9"],
     "--eps-iso": ["0", "0.01", "1e9"], "--eps-len": ["0", "0.01"], "--seed": ["0", "1", "4294967295"],
-    "--threads": ["1", "2", "1024"], "--solver": ["eigen"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
+    "--threads": ["1", "2", "1024"], "--solver": ["eigen"], "--weld": ["auto", "on", "off"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
 }
 ODD_VALUES = ["", "nan", "inf", "-1", "4", "1e999", "4294967296", "none", "FAST", "x", "--svg", "-o", "0x10", " 1"]
-FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--no-such-option"]
+FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--strict",
+         "--no-such-option"]
 PATIENCE = 20  # seconds, of a run on such small meshes
 
 
@@ -73,6 +78,8 @@ class Case:
         groups = [[name] for name in self.pick_input()]
         for option, usual in OUTPUTS.items():
             for _ in range(self.some(0.5) + self.some(0.03)):
+                if option == "--output":
+                    usual = self.generator.choice(["a.obj", "a.obj", "a.ply", "a.glb"])
                 place = usual if self.some(0.8) else self.generator.choice(PLACES)
                 if self.some(0.1):
                     place = str(self.folder / place)
@@ -94,7 +101,7 @@ class Case:
             self.arguments.append(self.generator.choice([*OUTPUTS, *INPUT_OPTIONS]))  # without a value
 
     def pick_input(self):
-        name = "cow.off" if self.some(0.7) else self.generator.choice([*FILES, "soft.off", "hard.off", "missing.off", ""])
+        name = "cow.off" if self.some(0.5) else self.generator.choice([*FILES, "soft.off", "hard.off", "missing.off", ""])
         self.inputs.append(name)
         return [name] * (1 if self.some(0.95) else self.generator.choice([0, 2]))
 
@@ -167,7 +174,7 @@ class Case:
             outputs += [("--output", name) for name in meshes]
         if any(option == "--texture" for option, _ in outputs):
             outputs += [("material", str(PurePath(name).with_suffix(".mtl"))) for name in meshes
-                        if PurePath(name).name]
+                        if PurePath(name).name and PurePath(name).suffix not in (".ply", ".glb")]
         return [(option, self.path(name)) for option, name in outputs
                 if not self.path(name).startswith(("/dev/", "/proc/"))]
 

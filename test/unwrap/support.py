@@ -231,6 +231,25 @@ def to_binary_stl(mesh):
     return data
 
 
+def to_glb(points, triangles, nodes=({"mesh": 0},)):
+    """One mesh at several nodes."""
+    buffer = b"".join(struct.pack("<3f", *p) for p in points) + b"".join(struct.pack("<3I", *t) for t in triangles)
+    first = 12 * len(points)
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}], "nodes": nodes,
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3",
+                       "min": [min(p[i] for p in points) for i in range(3)],
+                       "max": [max(p[i] for p in points) for i in range(3)]},
+                      {"bufferView": 1, "componentType": 5125, "count": 3 * len(triangles), "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": first},
+                        {"buffer": 0, "byteOffset": first, "byteLength": len(buffer) - first}],
+        "buffers": [{"byteLength": len(buffer)}]}).encode()
+    text += b" " * (-len(text) % 4)
+    return (struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(buffer)) + struct.pack("<I4s", len(text), b"JSON")
+            + text + struct.pack("<I4s", len(buffer), b"BIN\0") + buffer)
+
+
 def read_obj(path):
     """Points, texture points, and faces as lists of (point, texture point), counted from 0."""
     points, texture_points, faces = [], [], []

@@ -3,7 +3,7 @@
 import json
 import struct
 
-from support import Case, joined, main, sphere, to_off, torus
+from support import Case, joined, main, read_obj, sphere, to_glb, to_off, torus
 
 SPHERE = sphere(2)
 COMPONENTS = {5125: "I", 5126: "f"}
@@ -27,28 +27,11 @@ def read_accessor(description, buffer, index):
     view = description["bufferViews"][accessor["bufferView"]]
     number = NUMBERS[accessor["type"]]
     form = f"<{accessor['count'] * number}{COMPONENTS[accessor['componentType']]}"
-    assert struct.calcsize(form) == view["byteLength"] and view["byteOffset"] % 4 == 0
-    values = struct.unpack_from(form, buffer, view["byteOffset"])
+    first = accessor.get("byteOffset", 0)
+    assert view["byteOffset"] % 4 == 0 and first % 4 == 0 and first + struct.calcsize(form) <= view["byteLength"]
+    assert view.get("byteStride", 4 * number) == 4 * number
+    values = struct.unpack_from(form, buffer, view["byteOffset"] + first)
     return [values[i:i + number] for i in range(0, len(values), number)]
-
-
-def write_glb(nodes, points, triangles):
-    """A file with one mesh at several nodes."""
-    buffer = b"".join(struct.pack("<3f", *p) for p in points) + b"".join(struct.pack("<3I", *t) for t in triangles)
-    first = 12 * len(points)
-    text = json.dumps({
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}], "nodes": nodes,
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3",
-                       "min": [min(p[i] for p in points) for i in range(3)],
-                       "max": [max(p[i] for p in points) for i in range(3)]},
-                      {"bufferView": 1, "componentType": 5125, "count": 3 * len(triangles), "type": "SCALAR"}],
-        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": first},
-                        {"buffer": 0, "byteOffset": first, "byteLength": len(buffer) - first}],
-        "buffers": [{"byteLength": len(buffer)}]}).encode()
-    text += b" " * (-len(text) % 4)
-    return (struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(buffer)) + struct.pack("<I4s", len(text), b"JSON")
-            + text + struct.pack("<I4s", len(buffer), b"BIN\0") + buffer)
 
 
 class Gltf(Case):
@@ -87,14 +70,107 @@ class Gltf(Case):
     def test_scene(self):
         nodes = [{"mesh": 0}, {"mesh": 0, "translation": [9, 0, 0], "scale": [2, 2, 2]},
                  {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -9, 0, 0, 1]}]  # mirrored
-        self.write("in.glb", write_glb(nodes, *SPHERE))
+        self.write("in.glb", to_glb(*SPHERE, nodes))
         exit_code, report = self.report_if_supported("in.glb", "-o", "out.obj")
         self.assertEqual(exit_code, 0, report["message"])
         self.assertEqual((report["components"], report["genus"], report["borders"]), (3, 0, 0))
         self.assertFalse([warning for warning in report["warnings"] if "inside out" in warning])
 
+    def corners_of(self, name):
+        """Per triangle corner: the name of the mesh, that of the material, and all attributes."""
+        description, buffer = read_glb(self.folder / name)
+        result = []
+        for node in description["nodes"]:
+            mesh = description["meshes"][node["mesh"]]
+            for primitive in mesh["primitives"]:
+                attributes = {key: read_accessor(description, buffer, index)
+                              for key, index in primitive["attributes"].items()}
+                for (i,) in read_accessor(description, buffer, primitive["indices"]):
+                    result.append((mesh.get("name"), description["materials"][primitive["material"]].get("name"),
+                                   {key: values[i] for key, values in attributes.items()}))
+        return result
+
+    def test_computed_normals(self):
+        """They are unit vectors, the same on both sides of a cut, and like those of an ellipsoid."""
+        points, faces = sphere(4)
+        self.write("in.off", to_off((points, faces)))
+        self.report("in.off", "-o", "out.glb")
+        normals = {}
+        for _, _, corner in self.corners_of("out.glb"):
+            self.assertNotIn("COLOR_0", corner)
+            normals.setdefault(corner["POSITION"], set()).add(corner["NORMAL"])
+        self.assertEqual(len(normals), len(points))
+        for (x, y, z), (normal, *others) in normals.items():
+            self.assertEqual(others, [])
+            gradient = (x, y / 1.25 ** 2, z / 1.5 ** 2)
+            length = sum(c * c for c in gradient) ** 0.5
+            self.assertAlmostEqual(sum(c * c for c in normal), 1, 5)
+            self.assertGreater(sum(a * b for a, b in zip(normal, gradient)) / length, 0.99)
+
+    def test_what_obj_says(self):
+        """Normals where there are any, colors, groups and materials; and all of it back to OBJ."""
+        points, faces = SPHERE
+        lines = [f"v {x!r} {y!r} {z!r} {i % 3 / 2} 0 1" for i, (x, y, z) in enumerate(points)]
+        lines += ["vn 0 0 4", "vn 0 0 0"]
+        for i, face in enumerate(faces):
+            lines += {0: ["o thing", "usemtl red"], 50: ["g half"], 70: ["usemtl blue"]}.get(i, [])
+            normal = ("//1", "//2", "")[i % 3]  # of which only the first is one
+            lines.append("f " + " ".join(f"{v + 1}{normal}" for v in face))
+        self.write("in.obj", "\n".join(lines) + "\n")
+        self.report("in.obj", "-o", "out.glb")
+        by_part = {}
+        for name, material, corner in self.corners_of("out.glb"):
+            by_part.setdefault((name, material), []).append(corner)
+        self.assertEqual({part: len(corners) // 3 for part, corners in by_part.items()},
+                         {("thing", "red"): 50, ("thing half", "red"): 20, ("thing half", "blue"): len(faces) - 70})
+        colors = {point: (i % 3 / 2, 0, 1) for i, point in enumerate(points)}
+        corners = [corner for _, _, corner in self.corners_of("out.glb")]
+        self.assertTrue(all(corner["COLOR_0"] == colors[corner["POSITION"]] for corner in corners))
+        for corner in corners:
+            self.assertAlmostEqual(sum(c * c for c in corner["NORMAL"]), 1, 5)
+        given = sum(corner["NORMAL"] == (0, 0, 1) for corner in corners)
+        self.assertGreaterEqual(given, 3 * len(faces[::3]))
+        self.assertLess(given, 3 * len(faces[::3]) + 12)  # the poles
+
+        self.report_if_supported("out.glb", "-o", "back.obj")
+        before, after = (sorted(self.polygons_by_part(name)) for name in ("in.obj", "back.obj"))
+        self.assertEqual([part[2] for part in before], [part[2] for part in after])
+        self.assertEqual([part[1] for part in before], [part[1] for part in after])
+
+    def polygons_by_part(self, name):
+        """Per face: its points, its material, and their colors."""
+        points, material, result = [], None, []
+        for words in (line.split() for line in (self.folder / name).read_text().splitlines()):
+            if words[0] == "v":
+                points.append(tuple(map(float, words[1:])))
+            elif words[0] == "usemtl":
+                material = words[1]
+            elif words[0] == "f":
+                corners = [points[int(word.split("/")[0]) - 1] for word in words[1:]]
+                first = corners.index(min(corners))
+                corners = corners[first:] + corners[:first]
+                result.append((tuple(c[:3] for c in corners), material, tuple(c[3:] for c in corners)))
+        return result
+
+    def test_strips_and_fans(self):
+        points = [(0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0), (2, 0, 0)]
+        for mode, triangles in ((5, {(0, 1, 2), (1, 3, 2), (2, 3, 4)}), (6, {(0, 1, 2), (0, 2, 3), (0, 3, 4)})):
+            data = to_glb(points, [(0, 1, 2), (3, 4, 4)])
+            form = b'"indices": 1', b'"indices": 1, "mode": %d' % mode
+            size, = struct.unpack_from("<I", data, 12)
+            text = data[20:20 + size].rstrip().replace(*form).replace(b'"count": 6', b'"count": 5')
+            text += b" " * (-len(text) % 4)
+            buffer = data[20 + size:]
+            self.write("in.glb", struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text) + len(buffer), len(text), b"JSON")
+                       + text + buffer)
+            self.report_if_supported("in.glb", "-o", "out.obj", "--allow-overlap")
+            points_out, _, faces = read_obj(self.folder / "out.obj")
+            found = {tuple(points.index(tuple(points_out[v])) for v, _ in face) for face in faces}
+            rotations = lambda t: min((t, t[1:] + t[:1], t[2:] + t[:2]))
+            self.assertEqual({rotations(t) for t in found}, {rotations(t) for t in triangles}, mode)
+
     def test_damaged(self):
-        data = write_glb([{"mesh": 0}], *torus())
+        data = to_glb(*torus())
         self.write("in.glb", data)
         self.report_if_supported("in.glb", "-o", "out.obj")
         for length in range(0, len(data) - 4, 97):

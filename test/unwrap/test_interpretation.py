@@ -127,8 +127,9 @@ class Interpretation(Case):
             for line in path.read_text().splitlines():
                 if line.startswith("f "):
                     line = re.sub("/[0-9]+/", "//", line)
-                elif line.startswith("v "):
-                    line = " ".join(["v", *(repr(float(word)) for word in line.split()[1:])])
+                elif line.startswith(("v ", "vn ")):
+                    keyword, *numbers = line.split()
+                    line = " ".join([keyword, *(repr(float(word)) for word in numbers)])
                 if not line.startswith(("#", "vt ")):
                     result.append(line)
             return result

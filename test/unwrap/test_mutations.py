@@ -2,8 +2,8 @@
 
 import random
 
-from support import (Case, colored_off, decorated_obj, decorated_ply, main, sphere, to_binary_stl, to_obj, to_off,
-                     to_ply, to_text_stl)
+from support import (Case, colored_off, decorated_obj, decorated_ply, main, sphere, to_binary_stl, to_glb, to_obj, to_off,
+                     to_ply, to_text_stl, torus)
 
 SEED = 20260101
 MUTATIONS_PER_FILE = 60
@@ -13,6 +13,9 @@ FILES = {"a.off": to_off(SPHERE).encode(), "a.obj": to_obj(SPHERE).encode(),
          "a.stl": to_text_stl(SPHERE).encode(), "b.stl": to_binary_stl(SPHERE)}
 COLORED = {"colored.off": colored_off(SPHERE).encode()}
 DECORATED = {"decorated.obj": decorated_obj(SPHERE).encode(), "decorated.ply": decorated_ply(SPHERE).encode()}
+
+QUADS = torus(4)[0], [tuple(one) + (two[2],) for one, two in zip(torus(4)[1][::2], torus(4)[1][1::2])]
+POLYGONS = {"quads.off": to_off(QUADS).encode(), "quads.ply": to_ply(QUADS, "binary_big_endian"), "a.glb": to_glb(*SPHERE)}
 
 
 def mutate(data, generator):
@@ -32,20 +35,24 @@ def mutate(data, generator):
 
 
 class Mutations(Case):
-    def mutate_all(self, files, seed, *options):
+    def mutate_all(self, files, seed, *options, output="out.obj"):
         print(f"seed {seed}")
         generator = random.Random(seed)
         for name, data in files.items():
             for number in range(MUTATIONS_PER_FILE):
                 with self.subTest(name=name, number=number):
                     self.write(name, mutate(data, generator))
-                    exit_code, report = self.report(name, "-o", "out.obj", "--threads", "1", *options)
+                    exit_code, report = self.report(name, "-o", output, "--threads", "1", *options)
                     self.assertIn(exit_code, (0, 3, 4, 5), report["message"])
-                    self.assertEqual("out.obj" in self.files(), exit_code == 0)
-                    (self.folder / "out.obj").unlink(missing_ok=True)
+                    self.assertEqual(output in self.files(), exit_code == 0)
+                    (self.folder / output).unlink(missing_ok=True)
 
     def test_mutations(self):
         self.mutate_all(FILES, SEED)
+
+    def test_mutations_of_polygons(self):
+        self.mutate_all(POLYGONS, SEED, output="out.ply")
+        self.mutate_all(POLYGONS, SEED + 1, output="out.glb")
 
     def test_mutations_of_colors(self):
         self.mutate_all(COLORED, SEED, "--edge-weights", "colors")

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 struct Layout
@@ -19,10 +20,18 @@ struct Layout
   std::vector<int> corners;
   std::vector<std::size_t> polygon_ends;
   std::vector<int> corner_uvs;
+  std::vector<int> corner_vertices; // of the surface: there are several at a point where it touches itself
+
+  // What the file says besides, see `Polygon_soup`.
+  std::vector<std::array<double, 3> > colors; // valid ones
+  std::vector<std::array<double, 3> > normals;
+  std::vector<int> corner_normals;
   Obj_statements obj_statements;
+  std::shared_ptr<const Ply_source> ply_source;
 
   // The polygons of the surface in triangles that face up.
   std::vector<Triangle> triangles;
+  std::vector<Triangle> triangle_corners; // per triangle, which corners of all polygons it has
 
   // One point per UV vertex: corners share it unless a cut edge lies between them.
   std::vector<std::array<double, 2> > uv_points;

@@ -5,11 +5,15 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-// What an OBJ file says besides points, polygons and texture points, to be written again.
+struct Ply_source;
+
+// What an OBJ file says besides geometry and looks, to be written again. What glTF says about groups and materials is
+// told in the same words.
 struct Obj_statements
 {
   struct Line
@@ -19,8 +23,6 @@ struct Obj_statements
   };
 
   std::vector<Line> lines; // of groups, objects, smoothing and materials
-  std::vector<std::string> normals;
-  std::vector<int> corner_normals;     // per corner, -1 for none; empty if no corner has one
   std::vector<std::string> point_ends; // per point, what follows the coordinates; empty if nothing does
 };
 
@@ -34,9 +36,12 @@ struct Polygon_soup
   std::vector<std::size_t> polygon_ends; // per polygon, where its corners end
 
   // What was asked for besides; empty if the file does not have it.
-  std::vector<double> reds; // per point, the red channel of its color, from 0 to 1
+  std::vector<std::array<double, 3> > colors; // per point: red, green and blue, valid ones from 0 to 1
   std::vector<std::optional<Texture_point> > corner_uvs; // per corner
+  std::vector<std::array<double, 3> > normals;
+  std::vector<int> corner_normals; // per corner, -1 for none
   Obj_statements obj_statements;
+  std::shared_ptr<const Ply_source> ply_source;
 
   // Makes a polygon of the corners added since the last call.
   void close_polygon() { polygon_ends.push_back(corners.size()); }

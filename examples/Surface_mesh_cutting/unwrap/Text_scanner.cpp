@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <limits>
+#include <optional>
 #include <system_error>
 
 namespace {
@@ -29,7 +31,25 @@ std::string_view without_plus(std::string_view word)
   return has_plus ? word.substr(1) : word;
 }
 
+std::optional<double> parse_number(std::string_view word)
+{
+  const std::string_view digits = without_plus(word);
+  const char* const end = digits.data() + digits.size();
+  double result = 0;
+  const std::from_chars_result parsed = std::from_chars(digits.data(), end, result);
+  if(digits.empty() || parsed.ptr != end || parsed.ec == std::errc::invalid_argument)
+    return std::nullopt;
+  if(parsed.ec == std::errc::result_out_of_range) // becomes zero or infinity
+    return std::strtod(std::string(digits).c_str(), nullptr);
+  return result;
+}
+
 } // namespace
+
+double number_or_nan(std::string_view word)
+{
+  return parse_number(word).value_or(std::numeric_limits<double>::quiet_NaN());
+}
 
 std::string_view without_byte_order_mark(std::string_view text)
 {
@@ -94,7 +114,7 @@ void Text_scanner::skip_line()
   const std::size_t end = m_text.find(m_line_end);
   if(end == std::string_view::npos)
   {
-    m_text = {};
+    m_text.remove_prefix(m_text.size());
     return;
   }
   m_text.remove_prefix(end + 1);
@@ -106,15 +126,10 @@ void Text_scanner::skip_line()
 
 double Text_scanner::to_number(std::string_view word) const
 {
-  const std::string_view digits = without_plus(word);
-  const char* const end = digits.data() + digits.size();
-  double result = 0;
-  const std::from_chars_result parsed = std::from_chars(digits.data(), end, result);
-  if(digits.empty() || parsed.ptr != end || parsed.ec == std::errc::invalid_argument)
+  const std::optional<double> number = parse_number(word);
+  if(!number)
     fail("a number", word);
-  if(parsed.ec == std::errc::result_out_of_range) // becomes zero or infinity
-    return std::strtod(std::string(digits).c_str(), nullptr);
-  return result;
+  return *number;
 }
 
 int Text_scanner::to_integer(std::string_view word) const

@@ -10,6 +10,9 @@
 // What some editors write in front of a text in UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 
+// For what is kept but not needed: NaN unless the word is a number.
+double number_or_nan(std::string_view word);
+
 // A `#` starts a comment, which ends with the line. An unexpected word is a
 // `Failure` with `Exit_code::UNREADABLE` that names the line.
 class Text_scanner

@@ -1,10 +1,11 @@
-// Numbers from the bytes of a file.
+// Numbers and the bytes of a file.
 
 #ifndef UNWRAP_BYTE_ORDER_H
 #define UNWRAP_BYTE_ORDER_H
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 inline bool is_big_endian_machine()
@@ -26,6 +27,17 @@ Number load(std::string_view bytes, bool is_big_endian)
   Number result;
   std::memcpy(&result, buffer, sizeof(Number));
   return result;
+}
+
+// Appends the bytes of a number.
+template <typename Number>
+void store(Number number, bool is_big_endian, std::string& bytes)
+{
+  char buffer[sizeof(Number)];
+  std::memcpy(buffer, &number, sizeof(Number));
+  if(is_big_endian != is_big_endian_machine())
+    std::reverse(buffer, buffer + sizeof(Number));
+  bytes.append(buffer, sizeof(Number));
 }
 
 #endif // UNWRAP_BYTE_ORDER_H

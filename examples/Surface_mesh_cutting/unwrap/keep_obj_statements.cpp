@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -41,33 +42,33 @@ void keep_normal_index(std::string_view word, Polygon_soup& soup)
   if(slash != std::string_view::npos)
     std::from_chars(word.data() + slash + 1, word.data() + word.size(), index);
   if(index < 0)
-    index += int(soup.obj_statements.normals.size()) + 1;
-  soup.obj_statements.corner_normals.push_back((std::max)(index, 0) - 1);
+    index += int(soup.normals.size()) + 1;
+  soup.corner_normals.push_back((std::max)(index, 0) - 1);
 }
 
 void keep_statement(std::string_view keyword, Text_scanner scanner, Polygon_soup& soup)
 {
   if(keyword == "vn")
   {
-    const std::string normal = rest_of_line(scanner);
-    soup.obj_statements.normals.push_back(normal.substr((std::min)(std::size_t(1), normal.size())));
+    const double x = number_or_nan(scanner.word_in_line()), y = number_or_nan(scanner.word_in_line());
+    soup.normals.push_back({{x, y, number_or_nan(scanner.word_in_line())}});
   }
   else if(is_about_polygons(keyword))
     soup.obj_statements.lines.push_back({soup.number_of_polygons(), std::string(keyword) + rest_of_line(scanner)});
 }
 
-void complete_statements(Polygon_soup& soup)
+void complete_looks(Polygon_soup& soup)
 {
-  Obj_statements& statements = soup.obj_statements;
-  for(int& normal : statements.corner_normals)
-    if(normal >= int(statements.normals.size()))
+  for(int& normal : soup.corner_normals)
+    if(normal >= int(soup.normals.size()))
       normal = -1;
   const auto is_none = [](int normal) { return normal < 0; };
-  if(std::all_of(statements.corner_normals.begin(), statements.corner_normals.end(), is_none))
+  if(std::all_of(soup.corner_normals.begin(), soup.corner_normals.end(), is_none))
   {
-    statements.corner_normals.clear();
-    statements.normals.clear();
+    soup.corner_normals.clear();
+    soup.normals.clear();
   }
-  if(!statements.point_ends.empty())
-    statements.point_ends.resize(soup.points.size());
+  std::vector<std::string>& ends = soup.obj_statements.point_ends;
+  if(!ends.empty())
+    ends.resize(soup.points.size());
 }

@@ -18,6 +18,6 @@ void keep_normal_index(std::string_view word, Polygon_soup& soup);
 void keep_statement(std::string_view keyword, Text_scanner scanner, Polygon_soup& soup);
 
 // Drops what is of no use: normals that no corner has, and indices of those that do not exist.
-void complete_statements(Polygon_soup& soup);
+void complete_looks(Polygon_soup& soup);
 
 #endif // UNWRAP_KEEP_OBJ_STATEMENTS_H

@@ -1,6 +1,7 @@
 #include "make_layout.h"
 
 #include "outcome.h"
+#include "vertex_colors.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
@@ -29,12 +30,18 @@ public:
     m_layout.points = m_soup.points;
     m_layout.corners = m_soup.corners;
     m_layout.polygon_ends = m_soup.polygon_ends;
+    if(!find_wrong_color(m_soup))
+      m_layout.colors = m_soup.colors;
+    m_layout.normals = m_soup.normals;
+    m_layout.corner_normals = m_soup.corner_normals;
     m_layout.obj_statements = m_soup.obj_statements;
+    m_layout.ply_source = m_soup.ply_source;
     for(const Halfedge h : m_surface.halfedges)
     {
       if(m_uv_vertices[h] < 0)
         add_uv_vertex(h);
       m_layout.corner_uvs.push_back(m_uv_vertices[h]);
+      m_layout.corner_vertices.push_back(int(m_mesh.target(h)));
     }
     add_triangles();
     for(const Halfedge h : m_mesh.halfedges())
@@ -78,13 +85,15 @@ private:
 
   void add_triangle(const std::array<Halfedge, 3>& to_corners)
   {
-    Layout::Triangle triangle, uv_triangle;
+    Layout::Triangle triangle, corners, uv_triangle;
     for(std::size_t k = 0; k < 3; ++k)
     {
-      triangle[k] = m_soup.corners[std::size_t(m_surface.corners[to_corners[k]])];
+      corners[k] = m_surface.corners[to_corners[k]];
+      triangle[k] = m_soup.corners[std::size_t(corners[k])];
       uv_triangle[k] = m_uv_vertices[to_corners[k]];
     }
     m_layout.triangles.push_back(triangle);
+    m_layout.triangle_corners.push_back(corners);
     m_layout.uv_triangles.push_back(uv_triangle);
   }
 

@@ -13,12 +13,13 @@
 #include <string>
 #include <string_view>
 
-// What to read besides points and polygons, from OFF (colors), OBJ and PLY (both).
+// What to read besides points and polygons, where the format has it.
 struct Attributes
 {
-  bool has_colors = false, has_uvs = false;
-  bool has_merged_points = true; // of STL
-  bool has_statements = false;   // of OBJ
+  bool has_uvs = false;
+  bool has_merged_points = true; // of STL and glTF
+  bool has_looks = false;        // colors, normals, groups and materials
+  bool has_source = false;       // of PLY, all that it says
 };
 
 // Reads OFF, OBJ, PLY, STL, and what else CGAL reads. Points and polygons keep number and order;

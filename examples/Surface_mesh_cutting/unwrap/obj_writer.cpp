@@ -17,7 +17,13 @@ void write_points(const Layout& layout, Number_writer& out)
 {
   const std::vector<std::string>& ends = layout.obj_statements.point_ends;
   for(std::size_t v = 0; v < layout.points.size(); ++v)
-    write_point(layout.points[v], ends.empty() ? std::string_view() : ends[v], out);
+  {
+    Number_writer color;
+    if(ends.empty() && !layout.colors.empty())
+      for(const double channel : layout.colors[v])
+        color << " " << channel;
+    write_point(layout.points[v], ends.empty() ? color.text() : ends[v], out);
+  }
 }
 
 void write_polygons(const Layout& layout, bool has_own_material, Number_writer& out)
@@ -38,8 +44,8 @@ void write_polygons(const Layout& layout, bool has_own_material, Number_writer& 
     for(; corner < layout.polygon_ends[polygon]; ++corner)
     {
       out << " " << layout.corners[corner] + 1 << "/" << layout.corner_uvs[corner] + 1;
-      if(!statements.corner_normals.empty() && statements.corner_normals[corner] >= 0)
-        out << "/" << statements.corner_normals[corner] + 1;
+      if(!layout.corner_normals.empty() && layout.corner_normals[corner] >= 0)
+        out << "/" << layout.corner_normals[corner] + 1;
     }
     out << "\n";
   }
@@ -56,8 +62,8 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
   write_points(layout, out);
   for(const auto& uv : layout.uv_points)
     out << "vt " << uv[0] << " " << uv[1] << "\n";
-  for(const std::string& normal : layout.obj_statements.normals)
-    out << "vn " << normal << "\n";
+  for(const std::array<double, 3>& normal : layout.normals)
+    out << "vn " << normal[0] << " " << normal[1] << " " << normal[2] << "\n";
   if(!material_file.empty())
     out << "usemtl " << material_name << "\n";
   write_polygons(layout, !material_file.empty(), out);

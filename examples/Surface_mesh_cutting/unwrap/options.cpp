@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "file_extension.h"
 #include "outcome.h"
 #include "run_unwrap.h"
 
@@ -23,8 +24,8 @@ const char* const description =
 
 const char* const footer = R"(
 Input: OFF, OBJ, PLY, STL, glTF, and whatever else CGAL reads. Nothing is repaired, everything is
-interpreted: vertices and faces keep their number and order (only STL, which has no indices, gets
-its equal points merged). Faces may have any number of corners; they are never cut across. Edges
+interpreted: vertices and faces keep their number and order (only STL and glTF, which repeat points,
+get equal ones merged). Faces may have any number of corners; they are never cut across. Edges
 with more than two faces keep pairs of them connected and are open to the others; vertices of
 several fans are as many vertices; where neighbors disagree about which side is up, as few
 faces as possible are read backward; faces with a vertex twice, and faces given again, get the
@@ -32,8 +33,8 @@ texture coordinates of the place where they lie. The report lists all this in "i
 --strict refuses it.
 
 Output: texture coordinates lie in the unit square, charts apart by the margin and all at the same
-scale (uv_scale in the report), and no two triangles overlap. Corners share one unless a cut edge
-lies between them. Either all files appear, when the run is complete, or none.
+scale (uv_scale in the report), and no two triangles overlap. Corners share one unless a cut edge lies
+between them. From OBJ to OBJ and PLY to PLY, all else stays. Files appear when the run is complete.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
 of vertices, all counted from 0. For --must-cut and --initial-cut, uv stands for the seams of the
@@ -344,9 +345,8 @@ bool is_injective(const Options& options)
 
 Attributes wanted_attributes(const Options& options)
 {
-  const auto is_colors = [](const Weight_choice& choice) { return choice.kind == Weight_choice::Kind::COLORS; };
-  return {std::any_of(options.edge_weights.begin(), options.edge_weights.end(), is_colors),
-          options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off", true};
+  return {options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off", true,
+          is_ply(options.output)};
 }
 
 std::vector<std::string> constraint_files(const Options& options)

@@ -5,8 +5,8 @@
 
 #include <string>
 
-// The mesh with its texture coordinates, as a list `texcoord` of each face. `texture`, if not empty, is the file that
-// holds the image.
-std::string to_ply(const Layout& layout, const std::string& texture);
+// The mesh with its texture coordinates, as a list `texcoord` of each face: the file of the input, with nothing else
+// changed, if that is PLY. `image`, if not empty, is the file of the texture.
+std::string to_ply(const Layout& layout, const std::string& image);
 
 #endif // UNWRAP_PLY_WRITER_H

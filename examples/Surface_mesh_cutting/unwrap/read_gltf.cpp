@@ -5,7 +5,10 @@
 #include "outcome.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 
 bool is_gltf(const std::string& path)
 {
@@ -15,7 +18,12 @@ bool is_gltf(const std::string& path)
 
 #ifndef UNWRAP_WITH_GLTF
 
-Polygon_soup read_gltf(const std::string&, Attributes)
+Polygon_soup read_gltf(const std::string&, Attributes attributes)
+{
+  return read_glb({}, attributes);
+}
+
+Polygon_soup read_glb(std::string_view, Attributes)
 {
   throw Failure(Exit_code::UNREADABLE, "this program was built without tinygltf, which reads glTF");
 }
@@ -88,11 +96,17 @@ public:
     fail("indices of triangles are not numbers without a sign");
   }
 
-  Eigen::Vector3d point(std::size_t i) const
+  // The first three numbers of an element; whole ones are fractions of the largest.
+  Eigen::Vector3d vector(std::size_t i) const
   {
     const std::string_view bytes = m_bytes.substr(i * m_stride);
-    return Eigen::Vector3d(load<float>(bytes, false), load<float>(bytes.substr(4), false),
-                           load<float>(bytes.substr(8), false));
+    Eigen::Vector3d result;
+    for(int k = 0; k < 3; ++k)
+      result[k] = m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT ? load<float>(bytes.substr(4 * k), false)
+                : m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
+                    ? load<std::uint16_t>(bytes.substr(2 * k), false) / 65535.
+                    : load<std::uint8_t>(bytes.substr(k), false) / 255.;
+    return result;
   }
 
 private:
@@ -115,10 +129,35 @@ Eigen::Matrix4d transformation_of(const tinygltf::Node& node)
   return result.matrix();
 }
 
+// Three corners of each triangle of a primitive, whose vertices are given one after the other.
+std::vector<int> triangle_corners(const std::vector<int>& vertices, int mode)
+{
+  if(mode == TINYGLTF_MODE_TRIANGLES)
+    return {vertices.begin(), vertices.end() - std::ptrdiff_t(vertices.size() % 3)};
+  std::vector<int> corners;
+  for(std::size_t i = 2; i < vertices.size(); ++i)
+  {
+    const bool is_fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    const int a = vertices[is_fan ? 0 : i - 2], b = vertices[i - 1], c = vertices[i];
+    const bool is_odd = !is_fan && i % 2 == 1; // every other triangle of a strip is turned
+    corners.insert(corners.end(), {is_odd ? b : a, is_odd ? a : b, c});
+  }
+  return corners;
+}
+
+// As a word of a line.
+std::string name_or(std::string name, const std::string& other)
+{
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
+  return name.empty() ? other : name;
+}
+
 class Scene_reader
 {
 public:
-  Scene_reader(const tinygltf::Model& model, bool does_merge) : m_model(model), m_merger(m_soup, does_merge) {}
+  Scene_reader(const tinygltf::Model& model, Attributes attributes)
+    : m_model(model), m_attributes(attributes), m_merger(m_soup, attributes.has_merged_points)
+  {}
 
   Polygon_soup run()
   {
@@ -126,10 +165,25 @@ public:
       fail("the file has no scene");
     for(int node : at(m_model.scenes, (std::max)(m_model.defaultScene, 0), "scene").nodes)
       add_node(node, Eigen::Matrix4d::Identity(), 0);
+    if(!m_soup.colors.empty())
+      m_soup.colors.resize(m_soup.points.size(), white);
+    if(m_soup.normals.empty())
+      m_soup.corner_normals.clear();
     return std::move(m_soup);
   }
 
 private:
+  static constexpr std::array<double, 3> white = {{1, 1, 1}};
+
+  // The attributes of the vertices of a primitive, at their place.
+  struct Vertices
+  {
+    Elements points;
+    std::optional<Elements> colors;
+    int first_normal; // -1 if there are none
+    Eigen::Matrix4d transformation;
+  };
+
   void add_node(int index, const Eigen::Matrix4d& outer, std::size_t depth)
   {
     if(depth > m_model.nodes.size() || ++m_number_of_visits > m_model.nodes.size())
@@ -137,79 +191,171 @@ private:
     const tinygltf::Node& node = at(m_model.nodes, index, "node");
     const Eigen::Matrix4d transformation = outer * transformation_of(node);
     if(node.mesh >= 0)
-      for(const tinygltf::Primitive& primitive : at(m_model.meshes, node.mesh, "mesh").primitives)
+    {
+      const tinygltf::Mesh& mesh = at(m_model.meshes, node.mesh, "mesh");
+      say("o " + name_or(node.name, name_or(mesh.name, "mesh_" + std::to_string(node.mesh))));
+      for(const tinygltf::Primitive& primitive : mesh.primitives)
         add_primitive(primitive, transformation);
+    }
     for(int child : node.children)
       add_node(child, transformation, depth + 1);
+  }
+
+  void say(const std::string& line)
+  {
+    if(m_attributes.has_looks)
+      m_soup.obj_statements.lines.push_back({m_soup.number_of_polygons(), line});
+  }
+
+  std::optional<Elements> find_attribute(const tinygltf::Primitive& primitive, const char* name) const
+  {
+    const auto found = primitive.attributes.find(name);
+    if(found == primitive.attributes.end())
+      return std::nullopt;
+    return Elements(m_model, found->second);
   }
 
   void add_primitive(const tinygltf::Primitive& primitive, const Eigen::Matrix4d& transformation)
   {
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-    if(mode == TINYGLTF_MODE_POINTS || mode == TINYGLTF_MODE_LINE || mode == TINYGLTF_MODE_LINE_LOOP ||
-       mode == TINYGLTF_MODE_LINE_STRIP)
-      return;
-    if(mode != TINYGLTF_MODE_TRIANGLES)
-      fail("strips and fans of triangles are not supported");
-    const auto position = primitive.attributes.find("POSITION");
-    if(position == primitive.attributes.end())
+    if(mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN)
+      return; // points and lines
+    const std::optional<Elements> points = find_attribute(primitive, "POSITION");
+    if(!points)
       return; // an extension brings it
-    const Elements points(m_model, position->second);
-    if(!points.is(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
+    if(!points->is(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
       fail("the points are not given by three numbers of single precision");
-    std::vector<int> corners;
+    if(primitive.material >= 0)
+      say("usemtl " + name_or(at(m_model.materials, primitive.material, "material").name,
+                              "material_" + std::to_string(primitive.material)));
+    const Vertices vertices = {*points, find_colors(primitive, points->number()),
+                               add_normals(primitive, points->number(), transformation), transformation};
+    const bool is_mirrored = transformation.topLeftCorner<3, 3>().determinant() < 0;
+    const std::vector<int> corners = triangle_corners(vertices_of(primitive, points->number()), mode);
+    for(std::size_t c = 0; c + 2 < corners.size(); c += 3)
+    {
+      add_corner(vertices, corners[c]);
+      add_corner(vertices, corners[c + (is_mirrored ? 2 : 1)]);
+      add_corner(vertices, corners[c + (is_mirrored ? 1 : 2)]);
+      m_soup.close_polygon();
+    }
+  }
+
+  std::vector<int> vertices_of(const tinygltf::Primitive& primitive, std::size_t number_of_points) const
+  {
+    std::vector<int> vertices;
     if(primitive.indices >= 0)
     {
       const Elements indices(m_model, primitive.indices);
       for(std::size_t i = 0; i < indices.number(); ++i)
-        corners.push_back(indices.index(i));
+        vertices.push_back(indices.index(i));
     }
     else
-      for(std::size_t i = 0; i < points.number(); ++i)
-        corners.push_back(int(i));
-    const bool is_mirrored = transformation.topLeftCorner<3, 3>().determinant() < 0;
-    for(std::size_t c = 0; c + 2 < corners.size(); c += 3)
-      add_triangle(points, {{corners[c], corners[c + (is_mirrored ? 2 : 1)], corners[c + (is_mirrored ? 1 : 2)]}},
-                   transformation);
+      for(std::size_t i = 0; i < number_of_points; ++i)
+        vertices.push_back(int(i));
+    return vertices;
   }
 
-  void add_triangle(const Elements& points, const std::array<int, 3>& corners, const Eigen::Matrix4d& transformation)
+  std::optional<Elements> find_colors(const tinygltf::Primitive& primitive, std::size_t number) const
   {
-    for(int corner : corners)
+    const std::optional<Elements> colors = find_attribute(primitive, "COLOR_0");
+    if(!m_attributes.has_looks || !colors || colors->number() != number)
+      return std::nullopt;
+    for(const int component : {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                               TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE})
+      if(colors->is(component, TINYGLTF_TYPE_VEC3) || colors->is(component, TINYGLTF_TYPE_VEC4))
+        return colors;
+    return std::nullopt;
+  }
+
+  // Returns where they begin.
+  int add_normals(const tinygltf::Primitive& primitive, std::size_t number, const Eigen::Matrix4d& transformation)
+  {
+    const std::optional<Elements> normals = find_attribute(primitive, "NORMAL");
+    if(!m_attributes.has_looks || !normals || normals->number() != number
+       || !normals->is(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
+      return -1;
+    const int first = int(m_soup.normals.size());
+    const Eigen::Matrix3d turn = transformation.topLeftCorner<3, 3>().inverse().transpose();
+    for(std::size_t i = 0; i < number; ++i)
     {
-      if(corner < 0 || std::size_t(corner) >= points.number())
-        fail("face " + std::to_string(m_soup.number_of_polygons()) + " refers to a vertex that its mesh does not have");
-      const Eigen::Vector3d p = (transformation * points.point(std::size_t(corner)).homogeneous()).head<3>();
-      m_merger.add_corner(p.x(), p.y(), p.z());
+      const Eigen::Vector3d normal = (turn * normals->vector(i)).normalized();
+      m_soup.normals.push_back({{normal.x(), normal.y(), normal.z()}});
     }
-    m_soup.close_polygon();
+    return first;
+  }
+
+  void add_corner(const Vertices& vertices, int vertex)
+  {
+    const std::size_t i = std::size_t(vertex);
+    if(vertex < 0 || i >= vertices.points.number())
+      fail("face " + std::to_string(m_soup.number_of_polygons()) + " refers to a vertex that its mesh does not have");
+    const Eigen::Vector3d p = (vertices.transformation * vertices.points.vector(i).homogeneous()).head<3>();
+    const std::size_t number_of_points = m_soup.points.size();
+    m_merger.add_corner(p.x(), p.y(), p.z());
+    if(vertices.colors && m_soup.points.size() > number_of_points)
+    {
+      const Eigen::Vector3d color = vertices.colors->vector(i);
+      m_soup.colors.resize(number_of_points, white);
+      m_soup.colors.push_back({{color.x(), color.y(), color.z()}});
+    }
+    m_soup.corner_normals.push_back(vertices.first_normal < 0 ? -1 : vertices.first_normal + vertex);
   }
 
   const tinygltf::Model& m_model;
+  const Attributes m_attributes;
   Polygon_soup m_soup;
   Point_merger m_merger;
   std::size_t m_number_of_visits = 0;
 };
 
-} // namespace
+using Load = bool (*)(tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error, std::string_view bytes,
+                      const std::string& folder);
 
-Polygon_soup read_gltf(const std::string& path, Attributes attributes)
+bool load_binary(tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error, std::string_view bytes,
+                 const std::string& folder)
+{
+  std::string warning;
+  return loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
+                                     unsigned(bytes.size()), folder);
+}
+
+bool load_text(tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error, std::string_view bytes,
+               const std::string& folder)
+{
+  std::string warning;
+  return loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), unsigned(bytes.size()), folder);
+}
+
+Polygon_soup read(std::string_view bytes, Load load, const std::string& folder, Attributes attributes)
 {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
                            void*) { return true; }, nullptr); // images do not matter
   tinygltf::Model model;
-  std::string error, warning;
-  const std::string bytes = read_bytes(path), folder = std::filesystem::path(path).parent_path().string();
+  std::string error;
   if(bytes.size() > UINT32_MAX)
     fail("the file is too large");
-  const bool is_read = is_glb(path)
-    ? loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                  unsigned(bytes.size()), folder)
-    : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), unsigned(bytes.size()), folder);
-  if(!is_read)
-    fail("damaged glTF: " + error.substr(0, error.find('\n')));
-  return Scene_reader(model, attributes.has_merged_points).run();
+  if(!load(loader, model, error, bytes, folder))
+  {
+    error = error.substr(0, error.find('\n'));
+    std::replace_if(error.begin(), error.end(), [](char c) { return c < 32 || c > 126; }, '?'); // quotes the file
+    fail("damaged glTF: " + error);
+  }
+  return Scene_reader(model, attributes).run();
+}
+
+} // namespace
+
+Polygon_soup read_gltf(const std::string& path, Attributes attributes)
+{
+  const std::string bytes = read_bytes(path), folder = std::filesystem::path(path).parent_path().string();
+  return read(bytes, is_glb(path) ? load_binary : load_text, folder, attributes);
+}
+
+Polygon_soup read_glb(std::string_view bytes, Attributes attributes)
+{
+  return read(bytes, load_binary, "", attributes);
 }
 
 #endif // UNWRAP_WITH_GLTF

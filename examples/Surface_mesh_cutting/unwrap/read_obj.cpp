@@ -84,7 +84,7 @@ void read_polygon(Text_scanner& scanner, Attributes attributes, Polygon_soup& so
     soup.corners.push_back(index > 0 ? index - 1 : soup.number_of_points() + index);
     if(attributes.has_uvs)
       read_texture_index(scanner, word, texture);
-    if(attributes.has_statements)
+    if(attributes.has_looks)
       keep_normal_index(word, soup);
   }
   soup.close_polygon();
@@ -105,10 +105,11 @@ Polygon_soup read_obj(std::string_view text, Attributes attributes)
       const double y = scanner.number_in_line();
       const double z = scanner.number_in_line();
       soup.points.push_back({{x, y, z}});
-      if(attributes.has_statements)
+      if(attributes.has_looks)
+      {
         keep_point_end(scanner, soup);
-      if(attributes.has_colors)
-        read_red(scanner, soup);
+        read_color(scanner, soup);
+      }
     }
     else if(keyword == "vt" && attributes.has_uvs)
       read_texture_point(scanner, texture);
@@ -116,14 +117,14 @@ Polygon_soup read_obj(std::string_view text, Attributes attributes)
       read_polygon(scanner, attributes, soup, texture);
     else if(!is_skipped(keyword))
       scanner.fail("a statement of the OBJ format", keyword);
-    else if(attributes.has_statements)
+    else if(attributes.has_looks)
       keep_statement(keyword, scanner, soup);
     scanner.skip_line();
   }
   if(soup.points.empty() && soup.polygon_ends.empty())
     throw Failure(Exit_code::UNREADABLE, "the file has neither points nor faces");
   add_uvs(texture, soup);
-  complete_reds(soup);
-  complete_statements(soup);
+  complete_colors(soup);
+  complete_looks(soup);
   return soup;
 }

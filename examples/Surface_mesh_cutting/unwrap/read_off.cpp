@@ -35,11 +35,11 @@ Point_line read_word_of_format(Text_scanner& scanner)
   return {word.find('N') != std::string_view::npos, word.find('C') != std::string_view::npos};
 }
 
-void read_color(Text_scanner& scanner, Point_line line, Polygon_soup& soup)
+void read_color_of(Point_line line, Text_scanner& scanner, Polygon_soup& soup)
 {
   for(int i = 0; i < 3 && line.has_normal; ++i)
     scanner.word_in_line();
-  read_red(scanner, soup);
+  read_color(scanner, soup);
 }
 
 // Without a line for each point, there is nothing but coordinates.
@@ -54,7 +54,7 @@ void read_points(Text_scanner& scanner, int number, const std::optional<Point_li
     if(!line)
       continue;
     if(line->has_color)
-      read_color(scanner, *line, soup);
+      read_color_of(*line, scanner, soup);
     scanner.skip_line(); // with what stands behind
   }
   if(!line)
@@ -83,7 +83,7 @@ Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line
     soup.close_polygon();
     scanner.skip_line();
   }
-  complete_reds(soup);
+  complete_colors(soup);
   return soup;
 }
 
@@ -110,7 +110,7 @@ Polygon_soup read_off(std::string_view text, Attributes attributes)
 {
   Text_scanner scanner(without_byte_order_mark(text));
   Point_line line = read_word_of_format(scanner);
-  line.has_color = line.has_color && attributes.has_colors;
+  line.has_color = line.has_color && attributes.has_looks;
   const Text_scanner behind_header = scanner;
   try
   {

@@ -1,125 +1,33 @@
+#include "Ply_header.h"
+#include "Ply_source.h"
 #include "Text_scanner.h"
 #include "byte_order.h"
 #include "mesh_file.h"
 #include "outcome.h"
-#include "vertex_colors.h"
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
-enum class Format { TEXT, LITTLE, BIG };
-enum class Type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
-
-struct Property
-{
-  std::string name;
-  Type type;
-  bool is_list;
-  Type size_type; // of a list
-};
-
-struct Element
-{
-  std::string name;
-  int number;
-  std::vector<Property> properties;
-
-  // The position of the first property that has one of the names, -1 if there is none.
-  int find(std::string_view name_1, std::string_view name_2 = {}) const
-  {
-    const auto found = std::find_if(properties.begin(), properties.end(), [&](const Property& p)
-                                    { return p.name == name_1 || p.name == name_2; });
-    return found == properties.end() ? -1 : int(found - properties.begin());
-  }
-};
-
-struct Header
-{
-  Format format;
-  std::vector<Element> elements;
-};
-
-Type read_type(Text_scanner& scanner)
-{
-  static const std::vector<std::vector<std::string_view> > names = {
-    {"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"}, {"ushort", "uint16"},
-    {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
-  const std::string_view word = scanner.word_in_line();
-  for(std::size_t i = 0; i < names.size(); ++i)
-    if(word == names[i][0] || word == names[i][1])
-      return Type(i);
-  scanner.fail("a type", word);
-}
-
-Format read_format(Text_scanner& scanner)
-{
-  const std::string_view word = scanner.word_in_line();
-  if(word == "ascii")
-    return Format::TEXT;
-  if(word == "binary_little_endian")
-    return Format::LITTLE;
-  if(word == "binary_big_endian")
-    return Format::BIG;
-  scanner.fail("a format", word);
-}
-
-Property read_property(Text_scanner& scanner)
-{
-  Property property = {};
-  const Text_scanner start = scanner;
-  property.is_list = scanner.word_in_line() == "list";
-  if(property.is_list)
-    property.size_type = read_type(scanner);
-  else
-    scanner = start;
-  property.type = read_type(scanner);
-  property.name = std::string(scanner.word_in_line());
-  return property;
-}
-
-Header read_header(Text_scanner& scanner)
-{
-  if(const std::string_view word = scanner.word(); word != "ply")
-    scanner.fail("ply", word);
-  Header header = {};
-  for(bool has_format = false;;)
-  {
-    scanner.skip_line();
-    const std::string_view keyword = scanner.word();
-    if(keyword == "format")
-    {
-      header.format = read_format(scanner);
-      has_format = true;
-    }
-    else if(keyword == "element")
-    {
-      const std::string name(scanner.word_in_line());
-      header.elements.push_back({name, scanner.index_in_line(), {}});
-    }
-    else if(keyword == "property" && !header.elements.empty())
-      header.elements.back().properties.push_back(read_property(scanner));
-    else if(keyword == "end_header" && has_format)
-    {
-      scanner.skip_line();
-      return header;
-    }
-    else if(keyword != "comment" && keyword != "obj_info")
-      scanner.fail("a line of a PLY header", keyword);
-  }
-}
+using Format = Ply_header::Format;
+using Type = Ply_header::Type;
+using Property = Ply_header::Property;
+using Element = Ply_header::Element;
 
 // The values behind the header, one after the other.
 class Values
 {
 public:
-  Values(Format format, Text_scanner scanner)
-    : m_format(format), m_scanner(scanner), m_bytes(scanner.rest())
+  Values(Format format, Text_scanner scanner, std::string_view file)
+    : m_format(format), m_scanner(scanner), m_bytes(scanner.rest()), m_file(file)
   {}
 
   double next(Type type)
@@ -156,6 +64,18 @@ public:
     return m_format == Format::TEXT ? m_scanner.rest().size() : m_bytes.size();
   }
 
+  // Where in the file the latest value ends, and where the next one begins.
+  std::size_t end() const
+  {
+    const std::string_view rest = m_format == Format::TEXT ? m_scanner.rest() : m_bytes;
+    return std::size_t(rest.data() - m_file.data());
+  }
+  std::size_t next_begin() const
+  {
+    Text_scanner scanner = m_scanner;
+    return m_format == Format::TEXT ? std::size_t(scanner.word().data() - m_file.data()) : end();
+  }
+
 private:
   template <typename Number>
   double next_binary()
@@ -169,7 +89,8 @@ private:
 
   Format m_format;
   Text_scanner m_scanner;
-  std::string_view m_bytes;
+  std::string_view m_bytes; // that are not read yet
+  std::string_view m_file;
 };
 
 void skip(const Property& property, Values& values)
@@ -185,38 +106,71 @@ double largest_color(Type type)
   return type == Type::FLOAT32 || type == Type::FLOAT64 ? 1 : type == Type::UINT16 ? 65535 : 255;
 }
 
-void add_red(double red, Polygon_soup& soup)
+// What is read of a point: coordinates, then a normal, then a color.
+struct Point_properties
 {
-  if(!(red >= 0 && red <= 1))
-    throw Failure(Exit_code::UNREADABLE, "the color of vertex " + std::to_string(soup.reds.size()) + " is out of range",
-                  {Witness::Kind::VERTICES, {int(soup.reds.size())}});
-  soup.reds.push_back(red);
-}
+  Point_properties(const Element& element, Attributes attributes)
+    : slots(element.properties.size(), -1)
+  {
+    const auto find = [&](int slot, std::string_view name_1, std::string_view name_2 = {})
+    {
+      const int property = element.find(name_1, name_2);
+      if(property < 0 || element.properties[std::size_t(property)].is_list)
+        return false;
+      slots[std::size_t(property)] = slot;
+      return true;
+    };
+    if(!find(0, "x") || !find(1, "y") || !find(2, "z"))
+      throw Failure(Exit_code::UNREADABLE, "the points have no properties x, y, z");
+    if(!attributes.has_looks)
+      return;
+    const bool has_nx = find(3, "nx"), has_ny = find(4, "ny"), has_nz = find(5, "nz");
+    has_normals = has_nx && has_ny && has_nz;
+    has_colors = find(first_color, "red", "diffuse_red");
+    find(first_color + 1, "green", "diffuse_green");
+    find(first_color + 2, "blue", "diffuse_blue");
+  }
+
+  static constexpr int first_color = 6;
+
+  std::vector<int> slots; // per property, where in this order, -1 for nowhere
+  bool has_normals = false, has_colors = false;
+};
 
 void read_points(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup)
 {
-  const int x = element.find("x"), y = element.find("y"), z = element.find("z");
-  const int red = attributes.has_colors ? element.find("red", "diffuse_red") : -1;
-  for(const int coordinate : {x, y, z})
-    if(coordinate < 0 || element.properties[std::size_t(coordinate)].is_list)
-      throw Failure(Exit_code::UNREADABLE, "the points have no properties x, y, z");
-
+  const Point_properties read(element, attributes);
   soup.points.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
+  std::array<double, 9> numbers = {};
   for(int i = 0; i < element.number; ++i)
   {
-    Polygon_soup::Point point = {};
-    for(int p = 0; p < int(element.properties.size()); ++p)
+    for(std::size_t p = 0; p < element.properties.size(); ++p)
     {
-      const Property& property = element.properties[std::size_t(p)];
-      if(p == x || p == y || p == z)
-        point[p == x ? 0 : p == y ? 1 : 2] = values.next(property.type);
-      else if(p == red && !property.is_list)
-        add_red(values.next(property.type) / largest_color(property.type), soup);
-      else
+      const Property& property = element.properties[p];
+      const int slot = read.slots[p];
+      if(slot < 0)
         skip(property, values);
+      else
+        numbers[std::size_t(slot)]
+          = values.next(property.type) / (slot < Point_properties::first_color ? 1 : largest_color(property.type));
     }
-    soup.points.push_back(point);
+    soup.points.push_back({{numbers[0], numbers[1], numbers[2]}});
+    if(read.has_normals)
+      soup.normals.push_back({{numbers[3], numbers[4], numbers[5]}});
+    if(read.has_colors)
+      soup.colors.push_back({{numbers[6], numbers[7], numbers[8]}});
   }
+}
+
+// What is given for each point must be given for all, also where there are several elements of points.
+void complete_point_attributes(Polygon_soup& soup)
+{
+  if(soup.colors.size() != soup.points.size())
+    soup.colors.clear();
+  if(soup.normals.size() != soup.points.size())
+    soup.normals.clear();
+  if(!soup.normals.empty())
+    soup.corner_normals = soup.corners;
 }
 
 void read_corners(const Property& property, Values& values, Polygon_soup& soup)
@@ -248,14 +202,14 @@ void add_uvs(const std::vector<double>& texture, int number_of_corners, Polygon_
                                                                  {{texture[2 * k], texture[2 * k + 1]}}));
 }
 
-void read_polygons(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup)
+// `places` gets where the texture coordinates of each polygon are to be written, unless it is null.
+void read_polygons(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup,
+                   std::vector<Ply_source::Place>* places)
 {
-  const int indices = element.find("vertex_indices", "vertex_index");
+  const int indices = element.find("vertex_indices", "vertex_index"), uvs = element.find("texcoord");
   if(indices < 0 || !element.properties[std::size_t(indices)].is_list)
     throw Failure(Exit_code::UNREADABLE, "the faces have no list of vertex indices");
-  int uvs = attributes.has_uvs ? element.find("texcoord") : -1;
-  if(uvs >= 0 && !element.properties[std::size_t(uvs)].is_list)
-    uvs = -1;
+  const bool does_read_uvs = attributes.has_uvs && uvs >= 0 && element.properties[std::size_t(uvs)].is_list;
 
   soup.polygon_ends.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
   for(int i = 0; i < element.number; ++i)
@@ -265,17 +219,52 @@ void read_polygons(const Element& element, Attributes attributes, Values& values
     for(int p = 0; p < int(element.properties.size()); ++p)
     {
       const Property& property = element.properties[std::size_t(p)];
+      const std::size_t begin = p == uvs && places != nullptr ? values.next_begin() : 0;
       if(p == indices)
         read_corners(property, values, soup);
-      else if(p == uvs)
+      else if(p == uvs && does_read_uvs)
         texture = read_list(property, values);
       else
         skip(property, values);
+      if(p == uvs && places != nullptr)
+        places->push_back({begin, values.end(), Ply_source::Content::TEXTURE_COORDINATES});
     }
+    if(uvs < 0 && places != nullptr)
+      places->push_back({values.end(), values.end(), Ply_source::Content::TEXTURE_COORDINATES});
     if(attributes.has_uvs)
       add_uvs(texture, int(soup.corners.size() - first_corner), soup);
     soup.close_polygon();
   }
+}
+
+std::string end_of_line(std::string_view line)
+{
+  const std::size_t end = line.find_last_not_of("\r\n");
+  return std::string(line.substr(end == std::string_view::npos ? 0 : end + 1));
+}
+
+// With the places in its header.
+Ply_source make_source(const Ply_header& header, std::string_view bytes)
+{
+  using Content = Ply_source::Content;
+  Ply_source source = {std::string(bytes), header.format, end_of_line(header.format_line), {}};
+  const auto add = [&](std::string_view text, Content content)
+  {
+    const std::size_t begin = std::size_t(text.data() - bytes.data());
+    source.places.push_back({begin, begin + text.size(), content});
+  };
+  const auto behind = [](std::string_view line) { return line.substr(line.size()); };
+  add(behind(header.format_line), Content::IMAGE);
+  for(const std::string_view line : header.image_lines)
+    add(line, Content::FORMER_IMAGE);
+  for(const Element& element : header.elements)
+    if(const int uvs = element.find("texcoord"); element.has_polygons() && !element.properties.empty())
+      add(uvs < 0 ? behind(element.properties.back().line) : element.properties[std::size_t(uvs)].line,
+          Content::PROPERTY);
+  std::sort(source.places.begin(), source.places.end(),
+            [](const Ply_source::Place& a, const Ply_source::Place& b)
+            { return std::make_pair(a.begin, a.end) < std::make_pair(b.begin, b.end); });
+  return source;
 }
 
 } // namespace
@@ -283,15 +272,17 @@ void read_polygons(const Element& element, Attributes attributes, Values& values
 Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
 {
   Text_scanner scanner(bytes);
-  const Header header = read_header(scanner);
-  Values values(header.format, scanner);
+  const Ply_header header = read_ply_header(scanner);
+  Values values(header.format, scanner, bytes);
+  const std::shared_ptr<Ply_source> source
+    = attributes.has_source ? std::make_shared<Ply_source>(make_source(header, bytes)) : nullptr;
   Polygon_soup soup;
   for(const Element& element : header.elements)
   {
-    if(element.name == "vertex" || element.name == "vertices")
+    if(element.has_points())
       read_points(element, attributes, values, soup);
-    else if(element.name == "face" || element.name == "faces")
-      read_polygons(element, attributes, values, soup);
+    else if(element.has_polygons())
+      read_polygons(element, attributes, values, soup, source ? &source->places : nullptr);
     else if(element.name == "tristrips")
       throw Failure(Exit_code::UNREADABLE, "triangle strips are not supported");
     else
@@ -299,6 +290,7 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
         for(const Property& property : element.properties)
           skip(property, values);
   }
-  complete_reds(soup);
+  complete_point_attributes(soup);
+  soup.ply_source = source;
   return soup;
 }

@@ -3,6 +3,7 @@
 #include "outcome.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/name_of_interpretation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
@@ -47,24 +48,9 @@ Mesh make_mesh(const SMC::internal::Soup_surface& surface)
   return mesh;
 }
 
-const char* name_of(SMC::Interpretation_kind kind)
-{
-  switch(kind)
-  {
-    case SMC::Interpretation_kind::NON_MANIFOLD_EDGES: return "non_manifold_edges";
-    case SMC::Interpretation_kind::NON_MANIFOLD_VERTICES: return "non_manifold_vertices";
-    case SMC::Interpretation_kind::REORIENTED_FACES: return "reoriented_faces";
-    case SMC::Interpretation_kind::DEGENERATE_FACES: return "degenerate_faces";
-    case SMC::Interpretation_kind::DUPLICATE_FACES: return "duplicate_faces";
-    case SMC::Interpretation_kind::WELDED_VERTICES: return "welded_vertices";
-    case SMC::Interpretation_kind::NON_ORIENTABLE_EDGES: return "non_orientable_edges";
-  }
-  return "";
-}
-
 Interpretation translate(const SMC::Interpretation& finding)
 {
-  Interpretation result = {name_of(finding.kind), {}, {}};
+  Interpretation result = {SMC::internal::name_of(finding.kind), {}, {}};
   result.elements.assign(finding.vertices.begin(), finding.vertices.end());
   result.elements.insert(result.elements.end(), finding.polygons.begin(), finding.polygons.end());
   for(const auto& edge : finding.edges)

@@ -1,32 +1,35 @@
 #include "vertex_colors.h"
 
-#include "outcome.h"
-
 #include <algorithm>
 #include <string_view>
 
-void read_red(Text_scanner& scanner, Polygon_soup& soup)
+void read_color(Text_scanner& scanner, Polygon_soup& soup)
 {
   const std::string_view red = scanner.word_in_line();
   const std::string_view green = scanner.word_in_line(), blue = scanner.word_in_line();
   if(!red.empty() && !green.empty() && !blue.empty())
-    soup.reds.push_back(scanner.to_number(red));
+    soup.colors.push_back({{number_or_nan(red), number_or_nan(green), number_or_nan(blue)}});
 }
 
-void complete_reds(Polygon_soup& soup)
+void complete_colors(Polygon_soup& soup)
 {
   constexpr double largest = 255;
-  if(soup.reds.size() != soup.points.size())
-    soup.reds.clear();
+  if(soup.colors.size() != soup.points.size())
+    soup.colors.clear();
   double maximum = 0;
-  for(std::size_t i = 0; i < soup.reds.size(); ++i)
-  {
-    if(!(soup.reds[i] >= 0 && soup.reds[i] <= largest))
-      throw Failure(Exit_code::UNREADABLE, "the color of vertex " + std::to_string(i) + " is not from 0 to 255",
-                    {Witness::Kind::VERTICES, {int(i)}});
-    maximum = (std::max)(maximum, soup.reds[i]);
-  }
+  for(const std::array<double, 3>& color : soup.colors)
+    for(const double channel : color)
+      maximum = (std::max)(maximum, channel);
   if(maximum > 1)
-    for(double& red : soup.reds)
-      red /= largest;
+    for(std::array<double, 3>& color : soup.colors)
+      for(double& channel : color)
+        channel /= largest;
+}
+
+std::optional<int> find_wrong_color(const Polygon_soup& soup)
+{
+  const auto is_wrong = [](const std::array<double, 3>& color)
+  { return !std::all_of(color.begin(), color.end(), [](double channel) { return channel >= 0 && channel <= 1; }); };
+  const auto wrong = std::find_if(soup.colors.begin(), soup.colors.end(), is_wrong);
+  return wrong == soup.colors.end() ? std::nullopt : std::make_optional(int(wrong - soup.colors.begin()));
 }

@@ -1,4 +1,4 @@
-// The red channel of the colors of points, while it is read.
+// Colors of vertices in formats of text.
 
 #ifndef UNWRAP_VERTEX_COLORS_H
 #define UNWRAP_VERTEX_COLORS_H
@@ -6,11 +6,15 @@
 #include "Polygon_soup.h"
 #include "Text_scanner.h"
 
-// Adds the next number in the line, if there are at least two more: then it is the red channel of a color.
-void read_red(Text_scanner& scanner, Polygon_soup& soup);
+#include <optional>
 
-// Brings them to the scale from 0 to 1: they are at one to 255 if one of them is above 1. Drops them unless each
-// point has one. Throws a `Failure` with `Exit_code::UNREADABLE` if one is below 0 or above 255.
-void complete_reds(Polygon_soup& soup);
+// Adds the color that the next words of the line are, if there are three. What is no number becomes NaN.
+void read_color(Text_scanner& scanner, Polygon_soup& soup);
+
+// Drops the colors unless all points have one. Where one is above 1, they are from 0 to 255, else from 0 to 1.
+void complete_colors(Polygon_soup& soup);
+
+// A vertex whose color is not from 0 to 1.
+std::optional<int> find_wrong_color(const Polygon_soup& soup);
 
 #endif // UNWRAP_VERTEX_COLORS_H

@@ -5,6 +5,7 @@
 #include "named_elements.h"
 #include "outcome.h"
 #include "stop_request.h"
+#include "vertex_colors.h"
 
 #include <CGAL/Surface_mesh_cutting/crease_weights.h>
 #include <CGAL/Surface_mesh_cutting/painted_weights.h>
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace {
@@ -59,12 +61,15 @@ Paint read_paint(const std::string& path, const Named_elements& names, Mesh& mes
 
 Paint paint_by_color(const Polygon_soup& soup, Surface& surface)
 {
-  if(soup.reds.empty())
+  if(soup.colors.empty())
     throw Failure(Exit_code::UNSUPPORTED, "--edge-weights colors: the input has no colors of all vertices "
                                           "(COFF; OBJ with red, green and blue behind the coordinates; PLY with red)");
+  if(const std::optional<int> wrong = find_wrong_color(soup))
+    throw Failure(Exit_code::UNREADABLE, "the color of vertex " + std::to_string(*wrong) + " is out of range",
+                  {Witness::Kind::VERTICES, {*wrong}});
   const Paint paint = surface.mesh.add_property_map<Vertex, double>("", 1).first;
   for(const Vertex v : surface.mesh.vertices())
-    paint[v] = smallest_factor + (1 - smallest_factor) * soup.reds[std::size_t(surface.vertices[v])];
+    paint[v] = smallest_factor + (1 - smallest_factor) * soup.colors[std::size_t(surface.vertices[v])][0];
   return paint;
 }
 

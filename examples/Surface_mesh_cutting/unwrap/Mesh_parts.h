@@ -1,0 +1,25 @@
+// The parts of a mesh that differ in object, group or material.
+
+#ifndef UNWRAP_MESH_PARTS_H
+#define UNWRAP_MESH_PARTS_H
+
+#include "Layout.h"
+
+#include <string>
+#include <vector>
+
+struct Mesh_parts
+{
+  struct Part
+  {
+    std::string name; // of object and group; empty if it has none
+    std::string material;
+  };
+
+  std::vector<Part> parts;        // those with polygons, in the order of their names
+  std::vector<int> polygon_parts; // per polygon
+};
+
+Mesh_parts find_parts(const Layout& layout);
+
+#endif // UNWRAP_MESH_PARTS_H

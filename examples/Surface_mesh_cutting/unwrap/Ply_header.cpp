@@ -1,0 +1,102 @@
+#include "Ply_header.h"
+
+#include <algorithm>
+
+namespace {
+
+using Type = Ply_header::Type;
+using Property = Ply_header::Property;
+
+Type read_type(Text_scanner& scanner)
+{
+  static const std::vector<std::vector<std::string_view> > names = {
+    {"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"}, {"ushort", "uint16"},
+    {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
+  const std::string_view word = scanner.word_in_line();
+  for(std::size_t i = 0; i < names.size(); ++i)
+    if(word == names[i][0] || word == names[i][1])
+      return Type(i);
+  scanner.fail("a type", word);
+}
+
+Ply_header::Format read_format(Text_scanner& scanner)
+{
+  const std::string_view word = scanner.word_in_line();
+  if(word == "ascii")
+    return Ply_header::Format::TEXT;
+  if(word == "binary_little_endian")
+    return Ply_header::Format::LITTLE;
+  if(word == "binary_big_endian")
+    return Ply_header::Format::BIG;
+  scanner.fail("a format", word);
+}
+
+Property read_property(Text_scanner& scanner)
+{
+  Property property = {};
+  const Text_scanner start = scanner;
+  property.is_list = scanner.word_in_line() == "list";
+  if(property.is_list)
+    property.size_type = read_type(scanner);
+  else
+    scanner = start;
+  property.type = read_type(scanner);
+  property.name = std::string(scanner.word_in_line());
+  return property;
+}
+
+// From the first of its words to the next line.
+std::string_view finish_line(std::string_view first_word, Text_scanner& scanner)
+{
+  scanner.skip_line();
+  return {first_word.data(), std::size_t(scanner.rest().data() - first_word.data())};
+}
+
+} // namespace
+
+int Ply_header::Element::find(std::string_view name_1, std::string_view name_2) const
+{
+  const auto found = std::find_if(properties.begin(), properties.end(), [&](const Property& p)
+                                  { return p.name == name_1 || p.name == name_2; });
+  return found == properties.end() ? -1 : int(found - properties.begin());
+}
+
+Ply_header read_ply_header(Text_scanner& scanner)
+{
+  if(const std::string_view word = scanner.word(); word != "ply")
+    scanner.fail("ply", word);
+  scanner.skip_line();
+  Ply_header header;
+  for(;;)
+  {
+    const std::string_view keyword = scanner.word();
+    if(keyword == "format")
+    {
+      header.format = read_format(scanner);
+      header.format_line = finish_line(keyword, scanner);
+    }
+    else if(keyword == "element")
+    {
+      const std::string name(scanner.word_in_line());
+      header.elements.push_back({name, scanner.index_in_line(), {}});
+      scanner.skip_line();
+    }
+    else if(keyword == "property" && !header.elements.empty())
+    {
+      Property property = read_property(scanner);
+      property.line = finish_line(keyword, scanner);
+      header.elements.back().properties.push_back(property);
+    }
+    else if(keyword == "end_header" && !header.format_line.empty())
+    {
+      scanner.skip_line();
+      return header;
+    }
+    else if(keyword == "comment" && scanner.word_in_line() == Ply_header::image_comment)
+      header.image_lines.push_back(finish_line(keyword, scanner));
+    else if(keyword == "comment" || keyword == "obj_info")
+      scanner.skip_line();
+    else
+      scanner.fail("a line of a PLY header", keyword);
+  }
+}

@@ -1,0 +1,50 @@
+// The header of a PLY file.
+
+#ifndef UNWRAP_PLY_HEADER_H
+#define UNWRAP_PLY_HEADER_H
+
+#include "Text_scanner.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct Ply_header
+{
+  enum class Format { TEXT, LITTLE, BIG };
+  enum class Type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+
+  struct Property
+  {
+    std::string name;
+    Type type;
+    bool is_list;
+    Type size_type; // of a list
+    std::string_view line;
+  };
+
+  struct Element
+  {
+    std::string name;
+    int number;
+    std::vector<Property> properties;
+
+    // The position of the first property that has one of the names, -1 if there is none.
+    int find(std::string_view name_1, std::string_view name_2 = {}) const;
+    bool has_points() const { return name == "vertex" || name == "vertices"; }
+    bool has_polygons() const { return name == "face" || name == "faces"; }
+  };
+
+  Format format = Format::TEXT;
+  std::vector<Element> elements;
+  std::string_view format_line;
+  std::vector<std::string_view> image_lines; // comments that name the file of a texture
+
+  // The line that names the file of a texture begins so.
+  static constexpr std::string_view image_comment = "TextureFile";
+};
+
+// Leaves the scanner where the values begin. Each line of the header includes the character that ends it.
+Ply_header read_ply_header(Text_scanner& scanner);
+
+#endif // UNWRAP_PLY_HEADER_H
