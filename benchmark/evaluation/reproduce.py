@@ -22,7 +22,8 @@ import sweeps
 from measuring import Setting
 from pieces import Pieces
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "corpus"))
+BENCHMARK = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(BENCHMARK / "Surface_mesh_cutting" / "Robustness" / "corpus"))
 
 from run_corpus import meshes_in  # noqa: E402
 
@@ -43,7 +44,7 @@ def survey(setting, pieces, folder, largest):
     """Runs the package on every mesh, and finds those on which the paper's method is defined."""
     meshes = sorted(mesh.resolve() for mesh in meshes_in([folder]))
     meshes.sort(key=lambda mesh: mesh.stat().st_size)
-    outcomes = pieces.run({mesh: setting.unwrap(mesh, "--time-limit", "100") for mesh in meshes})
+    outcomes = pieces.run({mesh: setting.unwrap(mesh, "--effort", "fast", "--time-limit", "100") for mesh in meshes})
     table, faces = [], {}
     for mesh, outcome in outcomes.items():
         try:

@@ -36,7 +36,7 @@ def stage_commands(setting):
     commands = {}
     for mesh in setting.closed:
         commands["candidates", mesh] = setting.detectors(mesh, "candidates", "mst")
-        commands["faithful", mesh] = setting.detectors(mesh, "faithful", "mst,greedy,greedy_sph")
+        commands["faithful", mesh] = setting.detectors(mesh, "faithful", "mst,sph,greedy,greedy_sph,best")
     return commands
 
 

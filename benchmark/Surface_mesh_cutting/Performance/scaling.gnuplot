@@ -1,4 +1,4 @@
-# Time and memory against the size, from the output of pipeline for the meshes of make_sizes:
+# Time and memory against the size, from the sizes.csv that performance.py writes:
 #
 #   gnuplot -e "file='sizes.csv'" scaling.gnuplot
 #
