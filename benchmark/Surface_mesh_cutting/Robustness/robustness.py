@@ -98,7 +98,7 @@ def measure_stops(bench):
     for limit in 1, 2, 3, 5:
         record, = bench.records([mesh], "--effort", "best", "--time-limit", limit)
         if record["outcome"] == "stopped":
-            late.append(record["report"]["seconds"]["total"] - limit)
+            late.append(record["seconds"] - limit)  # with the writing of the result
     return Measured({"runs": len(late), "triangles": record["report"]["faces"], "latest": max(late)})
 
 
