@@ -1,6 +1,6 @@
 """Numbers and tables in texts that rest on stored results.
 
-A number is written as <!--=CLAIM.VALUE-->NUMBER<!--/-->, with as many decimals as the text is to have, and a table as
+A number is written as <!--=CLAIM.VALUE-->NUMBER, with as many decimals as the text is to have, and a table as
 
     <!--table CLAIM.TABLE COLUMN,...-->
 
@@ -12,7 +12,7 @@ where the columns may be left out, and CLAIM.TABLE is `claims` for the table of 
 
 import re
 
-NUMBER = re.compile(r"<!--=(\w+)\.(\w+)-->([^<]*)<!--/-->")
+NUMBER = re.compile(r"<!--=(\w+)\.(\w+)-->([+-]?\d+(?:,\d{3})*(?:\.\d+)?)")
 TABLE = re.compile(r"(<!--table ([\w.]+)(?: ([^>]*))?-->\n\n)(.*?)(\n?<!--/table-->)", re.S)
 OPENING = re.compile(r"<!--(?:=|table )")
 # A number with a unit that only measuring can give.
@@ -64,13 +64,13 @@ def updated(text, records):
             stored = records[claim]["values"][value]
         except KeyError as error:
             raise Unknown(f"{claim}.{value} is not stored") from error
-        return match[0].replace(f">{like}<", f">{formatted(stored, like)}<", 1)
+        return match[0][:-len(like)] + formatted(stored, like)
 
     def table(match):
         return match[1] + markdown(stored_table(records, match[2], match[3])) + "\n" + match[5].lstrip("\n")
 
     if len(OPENING.findall(text)) != len(NUMBER.findall(text)) + len(TABLE.findall(text)):
-        raise Unknown("a mark is not closed")
+        raise Unknown("a mark has no number, or a table no end")
     return TABLE.sub(table, NUMBER.sub(number, text))
 
 
