@@ -31,6 +31,7 @@ class Setting:
         self.closed = []  # paths of the closed connected meshes of genus 0, from small to large
         self.values = {}  # numbers that the manual quotes
         self.stages = []  # lines of Table 3
+        self.triangulations = {}  # {name: line of Figure 12}
         self.rivals = {}  # {detector: {name of the mesh: its line}} where the detector succeeded
 
     def unwrap(self, mesh, *options):

@@ -48,6 +48,9 @@ EXPERIMENTS = {
     "causes": (causes.cause_commands, causes.cause_table),  # after the stages
 }
 
+# What some need first: meshes.
+MAKING = {"triangulations": sweeps.making_commands, "causes": causes.making_commands}
+
 
 def survey(setting, pieces, folder, smallest, largest):
     """Runs the package on every mesh, and finds those on which the paper's method is defined."""
@@ -136,13 +139,13 @@ def main():
     pieces = Pieces(setting.output / "pieces", arguments.jobs, arguments.time_limit, arguments.minutes)
     number_of_meshes = survey(setting, pieces, arguments.meshes, arguments.smallest, arguments.largest)
     chosen = [name for name in EXPERIMENTS if setting.closed and name in (arguments.only or EXPERIMENTS)]
-    for name, commands in ("triangulations", sweeps.making_commands), ("causes", causes.making_commands):
-        if name in chosen:
-            pieces.run(commands(setting))
     claims = []
     for name in chosen:
         commands, evaluate = EXPERIMENTS[name]
+        if name in MAKING:
+            pieces.run(MAKING[name](setting))
         claims += evaluate(setting, pieces.run(commands(setting)))
+    causes.explain(setting, claims)
     write_summary(setting, claims, pieces, number_of_meshes)
     if arguments.store and not pieces.number_left:
         store(setting, claims, number_of_meshes, start)

@@ -1,6 +1,7 @@
 """What measuring a claim needs: programs, meshes, and runs of unwrap that are kept and not repeated."""
 
 import argparse
+import concurrent.futures
 import csv
 import dataclasses
 import io
@@ -76,6 +77,11 @@ class Bench:
         if run.returncode != 0:
             sys.exit(f"{command[0]}: {run.stderr}")
         return list(csv.DictReader(io.StringIO(run.stdout))), run.stderr
+
+    def all_rows(self, commands):
+        """The same of several commands, side by side."""
+        with concurrent.futures.ThreadPoolExecutor(self.options.jobs) as pool:
+            return [rows for rows, _ in pool.map(self.rows, commands)]
 
 
 def cut_seconds(report):

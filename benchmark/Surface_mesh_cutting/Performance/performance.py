@@ -117,25 +117,25 @@ def measure_compiling(bench):
 
 
 CLAIMS = [
-    Claim("rivals", 1,
+    Claim("rivals", 0.5,
           "On {pairs} surfaces, measured side by side, the authors' program took {their_seconds:.0f} s, this one {our_seconds:.2f} s "
           "({geometric_mean:.0f} times as fast in the geometric mean), now {seconds_now:.2f} s with {factorizations:.1f} full "
           "factorizations each; mean length {their_length:.2f} and now {length_now:.2f}",
           measure_rivals, needs="--models FOLDER"),
-    Claim("sizes", 4,
+    Claim("sizes", 2.5,
           "Up to a million triangles, the time for the cut grows with exponent {cut_exponent:.2f}, in total {exponent:.2f}; 100,000 "
           "take {seconds_100000:.1f} s and {megabytes_100000:.0f} MB, a million {seconds_1000000:.0f} s and "
           "{megabytes_1000000:.0f} MB", measure_sizes),
     Claim("solvers", 1.5,
           "With CHOLMOD, runs take {small_ratio:.2f} times as long as with the package's own factorization at {small_triangles:,} "
-          "triangles, and {large_ratio:.2f} times at {large_triangles:,}", measure_solvers),
+          "triangles, and {large_ratio:.2f} times at {large_triangles:,}", measure_solvers, is_long=True),
     Claim("threads", 1, "The same bytes with one and two threads on {surfaces} surfaces; two are {speedup:.2f} times as fast",
           measure_threads),
-    Claim("handles", 1, "A surface with {most} handles and {triangles:,} triangles takes {seconds:.1f} s", measure_handles),
-    Claim("published", 1.5,
+    Claim("handles", 0.5, "A surface with {most} handles and {triangles:,} triangles takes {seconds:.1f} s", measure_handles),
+    Claim("published", 1,
           "The published method takes {least:.1f} to {largest:.1f} times as long as the default on {surfaces} surfaces, for cuts of "
           "{published_length:.2f} instead of {length:.2f} diagonals", measure_published),
-    Claim("python", 1, "The Python module adds at most {own_percent:.1f} % to the time of the library on {surfaces} surfaces",
+    Claim("python", 0.5, "The Python module adds at most {own_percent:.1f} % to the time of the library on {surfaces} surfaces",
           measure_python, needs="PYTHONPATH=build/python"),
     Claim("compiling", 2.5,
           "With the compiled library, the program of README.md compiles in {library_share:.2f} of the time of the headers alone, and "

@@ -9,6 +9,8 @@ from bench import Measured
 from meshes import FIGURES
 
 WEIGHTED = FIGURES[:6]
+TASKS = {"front": "cost, ten times the length in front", "sky": "seen from above", "viewers": "seen from the front",
+         "visibility": "seen from all around"}
 SEVERAL_CHARTS = ["bones.off", "knot2.off", "blobby_3cc.off"]
 
 
@@ -18,9 +20,8 @@ def mean(rows, column):
 
 def measure_weights(bench):
     values, table = {"surfaces": len(WEIGHTED)}, [["Task", "to be avoided", "", "length", "energy", "time"]]
-    for task, meaning in (("front", "cost, ten times the length in front"), ("sky", "seen from above"),
-                          ("viewers", "seen from the front"), ("visibility", "seen from all around")):
-        rows, _ = bench.rows([bench.program("weighted_cuts"), task, bench.options.meshes, *WEIGHTED])
+    tasks = bench.all_rows([bench.program("weighted_cuts"), task, bench.options.meshes, *WEIGHTED] for task in TASKS)
+    for (task, meaning), rows in zip(TASKS.items(), tasks):
         before, after = mean(rows, "avoided"), mean(rows, "constrained_avoided")
         change = 100 * (after / before - 1)
         length = 100 * (mean(rows, "constrained_L") / mean(rows, "L") - 1)

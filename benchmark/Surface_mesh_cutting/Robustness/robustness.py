@@ -106,10 +106,10 @@ def measure_stops(bench):
 ENDS = "{certified} are unwrapped with a proof, {refused} refused with a reason, {stopped} stopped after a minute, and " \
     "{unexpected} end otherwise"
 CLAIMS = [
-    Claim("data_set", 4, "Of the {meshes} files of CGAL's data set, " + ENDS + "; {interpreted} are not read as what they say",
+    Claim("data_set", 2, "Of the {meshes} files of CGAL's data set, " + ENDS + "; {interpreted} are not read as what they say",
           measure_data_set),
-    Claim("variants", 4, "Of {meshes:,} variants, meshes, soups and polygons, " + ENDS, measure_variants),
-    Claim("wild", 3, "Of {meshes} meshes from outside, " + ENDS, measure_wild, needs="--wild FOLDER"),
+    Claim("variants", 2.5, "Of {meshes:,} variants, meshes, soups and polygons, " + ENDS, measure_variants),
+    Claim("wild", 2, "Of {meshes} meshes from outside, " + ENDS, measure_wild, needs="--wild FOLDER"),
     Claim("stops", 0.5, "A run on {triangles:,} triangles ends at most {latest:.1f} s after its time is up", measure_stops),
     Claim("first_maps", 1,
           "Of {paths} surfaces opened along a path, the spectral map has no flips on {spectral}, {repaired} are repaired; maps "
