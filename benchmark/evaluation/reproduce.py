@@ -24,6 +24,7 @@ import comparisons
 import stages
 import sweeps
 from measuring import Setting
+from page import write_page
 from pieces import Pieces
 
 BENCHMARK = pathlib.Path(__file__).resolve().parent.parent
@@ -111,6 +112,7 @@ def write_summary(setting, claims, pieces, number_of_meshes):
     lines += [f"| {' | '.join(cells(claim))} |" for claim in claims]
     text = "\n".join(lines) + "\n"
     (setting.output / "summary.md").write_text(text, encoding="utf-8")
+    write_page(setting.output, claims)
     print(text)
 
 

@@ -6,6 +6,7 @@ import datetime
 import os
 import pathlib
 import platform
+import shutil
 import subprocess
 import sys
 import time
@@ -28,10 +29,13 @@ class Claim:
 def commit():
     """The commit, with a + if what is measured was changed since."""
     git = ["git", "-C", ROOT]
-    name = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
-    is_changed = subprocess.run([*git, "diff", "--quiet", "HEAD", "--", "include", "src", "examples", "benchmark",
-                                 ":!benchmark/results", ":!benchmark/README.md"], check=False).returncode != 0
-    return (name.stdout.strip() or "unknown") + ("+" if is_changed else "")
+    try:
+        name = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True).stdout.strip()
+        changes = subprocess.run([*git, "diff", "--quiet", "HEAD", "--", "include", "src", "examples", "benchmark",
+                                  ":!benchmark/results", ":!benchmark/README.md"], check=False).returncode
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        return "unknown"
+    return name + ("+" if changes else "")
 
 
 def processor():
@@ -79,7 +83,7 @@ def measure(driver, claim, arguments, version):
     """Measures one claim and stores it; returns whether that was possible."""
     folder = arguments.output / version / claim.name
     if arguments.again:
-        subprocess.run(["rm", "-rf", folder], check=True)
+        shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
     start = time.monotonic()
     try:
