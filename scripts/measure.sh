@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures all claims of README.md and the manual, and compares both with the results:
 #   scripts/measure.sh [--update] [OPTION...]
-# Takes about 20 minutes on two idle cores. What was measured of the same commit is not measured again, so that calling it again
+# Takes less than half an hour on two idle cores. What was measured of the same commit is not measured again, so that calling it again
 # goes on where it was; --update writes the results into the texts. The OPTIONs are those of all drivers in
 # benchmark/Surface_mesh_cutting: --models, --wild and --graphs FOLDER give the meshes and graphs that do not come with the
 # project, --again measures anew, --programs FOLDER takes other programs than those in build/bin.

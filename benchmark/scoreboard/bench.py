@@ -21,6 +21,10 @@ class Missing(Exception):
     """Something that does not come with the project and was not given, such as a folder of meshes."""
 
 
+class Failed(Exception):
+    """A program that ended as it must not."""
+
+
 @dataclasses.dataclass
 class Measured:
     """Numbers by name, and tables by name: rows of text, of which the first has the headings."""
@@ -59,7 +63,7 @@ class Bench:
                                        meshes=list(map(str, meshes)), largest=float("inf"))
         left = run_corpus.to_do(arguments)
         if left and run_corpus.run(arguments, left) != 0:
-            sys.exit("GNU parallel failed")
+            raise Failed("GNU parallel")
         found = {record["mesh"]: record for record in read_records(results) if record["options"] == options}
         return [found[str(mesh)] for mesh in meshes]
 
@@ -68,14 +72,14 @@ class Bench:
         records = self.records(meshes, *words, **keywords)
         for record in records:
             if record["outcome"] not in ("certified", "bound_not_reached"):
-                sys.exit(f"{record['mesh']}: {record['outcome']} {record['messages']}")
+                raise Failed(f"{record['mesh']}: {record['outcome']} {record['messages']}")
         return [record["report"] for record in records]
 
     def rows(self, command):
         """The lines of CSV that a program prints, and what it says on standard error."""
         run = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
         if run.returncode != 0:
-            sys.exit(f"{command[0]}: {run.stderr}")
+            raise Failed(f"{command[0]}: {run.stderr}")
         return list(csv.DictReader(io.StringIO(run.stdout))), run.stderr
 
     def all_rows(self, commands):

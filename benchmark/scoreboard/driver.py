@@ -13,7 +13,7 @@ import time
 from typing import Callable
 
 import results
-from bench import ROOT, Bench, Missing
+from bench import ROOT, Bench, Failed, Missing
 
 
 @dataclasses.dataclass
@@ -90,6 +90,9 @@ def measure(driver, claim, arguments, version):
         measured = claim.measure(Bench(arguments, folder))
     except Missing as missing:
         print(f"{claim.name}: not measured, it needs {missing}", flush=True)
+        return False
+    except (Failed, subprocess.CalledProcessError) as failure:
+        print(f"{claim.name}: FAILED, {failure}", flush=True)
         return False
     results.append(driver, {
         "claim": claim.name, "command": command(driver, claim), "values": measured.values, "tables": measured.tables,

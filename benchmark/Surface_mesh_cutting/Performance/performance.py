@@ -10,7 +10,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "scoreboard"))
 
-from bench import Measured, Missing, cut_seconds, mean_of, total_seconds  # noqa: E402
+from bench import Failed, Measured, Missing, cut_seconds, mean_of, total_seconds  # noqa: E402
 from driver import Claim, run  # noqa: E402
 from make_plate import plate, write_off  # noqa: E402
 from meshes import FIGURES, HANDLES  # noqa: E402
@@ -61,7 +61,7 @@ def measure_threads(bench):
     table, speedups = [["Surface", "triangles", "s, one thread", "s, two threads", "speedup"]], []
     for one, two in zip(found[1], found[2]):
         if len({record["digest"] for record in (*one, *two)}) != 1:
-            sys.exit(f"{one[0]['mesh']}: not the same bytes")
+            raise Failed(f"{one[0]['mesh']}: not the same bytes")
         seconds = [statistics.median(record["report"]["seconds"]["total"] for record in runs) for runs in (one, two)]
         speedups.append(seconds[0] / seconds[1])
         table.append([pathlib.Path(one[0]["mesh"]).stem, f"{one[0]['report']['faces']:,}",

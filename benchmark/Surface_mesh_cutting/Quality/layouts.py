@@ -3,9 +3,8 @@
 import re
 import statistics
 import subprocess
-import sys
 
-from bench import Measured
+from bench import Failed, Measured
 from meshes import FIGURES
 
 WEIGHTED = FIGURES[:6]
@@ -44,7 +43,7 @@ def measure_packing(bench):
         run = subprocess.run([bench.program("unwrap"), mesh, "-o", layouts[-1], "--effort", "fast", "--threads", "1", "--quiet"],
                              check=False)
         if run.returncode != 0:
-            sys.exit(f"{mesh}: exit status {run.returncode}")
+            raise Failed(f"{mesh}: exit status {run.returncode}")
     rows, _ = bench.rows([bench.program("packing"), *layouts])
     rows = [row for row in rows if row["packed"] and re.fullmatch(r"\d+", row["charts"])]
     table = [["Layout", "charts", "shelves", "bitmap", "`pack_charts()`", "limit"]]
