@@ -70,7 +70,7 @@ def measure_variants(bench):
     """Stretched and bent, a third of them as soups and a third with polygons."""
     folder = bench.folder / "meshes"
     if not folder.exists():
-        script("make_variants.py", folder, VARIANTS, bench.options.meshes, "--kinds", "plain,soup,polygons")
+        script("make_variants.py", folder, VARIANTS, bench.options.meshes, "--kinds", "plain,soup,polygons", "--largest", 3000)
     return measured(run_campaign(bench, "variants", folder), f"{VARIANTS:,} variants")
 
 
