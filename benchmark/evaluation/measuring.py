@@ -29,8 +29,10 @@ class Setting:
     def __init__(self, programs, output, extra):
         self.programs, self.output, self.extra = pathlib.Path(programs), pathlib.Path(output), extra
         self.closed = []  # paths of the closed connected meshes of genus 0, from small to large
+        self.blas = None  # a folder with another BLAS
         self.values = {}  # numbers that the manual quotes
         self.stages = []  # lines of Table 3
+        self.thresholds = []  # lines of cause_threshold.csv
         self.triangulations = {}  # {name: line of Figure 12}
         self.rivals = {}  # {detector: {name of the mesh: its line}} where the detector succeeded
 

@@ -130,6 +130,8 @@ def main():
                         help="leave larger meshes out of the comparisons; default: %(default)s")
     parser.add_argument("--smallest", type=int, default=1000, metavar="FACES",
                         help="leave smaller meshes out of the comparisons: the paper's have 26,000 on average; default: %(default)s")
+    parser.add_argument("--blas", type=pathlib.Path, metavar="FOLDER",
+                        help="of another libblas.so.3, such as OpenBLAS, with which CHOLMOD runs, too")
     parser.add_argument("--store", action="store_true",
                         help="among the results of benchmark/results, if no run is left")
     parser.add_argument("--other-cutter", metavar="CSV",
@@ -138,6 +140,7 @@ def main():
     arguments = parser.parse_args()
     start = time.monotonic()
     setting = Setting(arguments.programs, arguments.output.resolve(), arguments.other_cutter)
+    setting.blas = arguments.blas and arguments.blas.resolve()
     pieces = Pieces(setting.output / "pieces", arguments.jobs, arguments.time_limit, arguments.minutes)
     number_of_meshes = survey(setting, pieces, arguments.meshes, arguments.smallest, arguments.largest)
     chosen = [name for name in EXPERIMENTS if setting.closed and name in (arguments.only or EXPERIMENTS)]

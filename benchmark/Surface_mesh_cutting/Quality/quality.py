@@ -82,7 +82,7 @@ def measure_feature_trees(bench):
 
 CLAIMS = [
     Claim("efforts", 2,
-          "On {surfaces} surfaces, default cuts are {percent:+.1f} % longer than fast ones, at {default_energy:.3f} instead of "
+          "On {surfaces} surfaces, default cuts have {percent:+.1f} % length against fast ones, at {default_energy:.3f} instead of "
           "{fast_energy:.3f}; best ones have {best_length:.3f} instead of {default_length:.3f} diagonals at {best_energy:.3f}",
           measure_efforts),
     Claim("bounds", 2,
