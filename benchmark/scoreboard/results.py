@@ -15,7 +15,7 @@ def append(driver, record, folder=FOLDER):
 
 
 def latest(folder=FOLDER):
-    """{claim: its last record}"""
+    """{claim: its last record}; each claim belongs to one driver."""
     records = {}
     for file in sorted(folder.glob("*.json")):
         for line in file.read_text(encoding="utf-8").splitlines():
