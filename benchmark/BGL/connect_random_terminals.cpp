@@ -2,8 +2,11 @@
 // ten. Prints CSV, one line per set, and a summary on standard error. cumulative_ratios.gnuplot draws the
 // cumulative distributions of the ratios as in the paper's Figure 18.
 //
-//   connect_random_terminals FOLDER MESH... > ratios.csv
+//   connect_random_terminals [--decrease EPSILON] FOLDER MESH... > ratios.csv
 //   gnuplot cumulative_ratios.gnuplot
+//
+// EPSILON is the least decrease, in diagonals of the bounding box, for which the greedy method adds a point; default: 0.01,
+// the value of the paper's Table 1.
 
 #include "edge_graph.h"
 
@@ -13,6 +16,8 @@
 #include <exception>
 #include <iomanip>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace Core = CGAL::internal::Steiner_tree;
 
@@ -37,8 +42,14 @@ struct Statistics
 
 int main(int argc, char** argv)
 {
-  if(argc < 3) {
-    std::cerr << "usage: " << argv[0] << " FOLDER MESH...\n";
+  std::vector<std::string> words(argv + 1, argv + argc);
+  double decrease = 0.01;
+  if(words.size() > 2 && words[0] == "--decrease") {
+    decrease = std::atof(words[1].c_str());
+    words.erase(words.begin(), words.begin() + 2);
+  }
+  if(words.size() < 2) {
+    std::cerr << "usage: " << argv[0] << " [--decrease EPSILON] FOLDER MESH...\n";
     return EXIT_FAILURE;
   }
   const int best = 4, count = 5;
@@ -54,8 +65,8 @@ int main(int argc, char** argv)
   Statistics ratios[count], seconds[count];
   int number_of_optimal[count] = {}, number_of_proofs = 0, number_of_sets = 0;
   try {
-    for(int i = 2; i < argc; ++i) {
-      const Edge_graph mesh = read_edge_graph(std::string(argv[1]) + "/" + argv[i]);
+    for(std::size_t i = 1; i < words.size(); ++i) {
+      const Edge_graph mesh = read_edge_graph(words[0] + "/" + words[i]);
       for(unsigned int seed = 0; seed < 70; ++seed) {
         CGAL::Random random(seed);
         const std::vector<int> terminals = random_terminals(mesh.graph, 4 + int(seed) % 7, random);
@@ -64,14 +75,14 @@ int main(int argc, char** argv)
         for(int m = 0; m < count; ++m) {
           Core::Options options;
           options.method = methods[m];
-          options.minimum_length_decrease = 0.01 * mesh.diagonal; // Table 1
+          options.minimum_length_decrease = decrease * mesh.diagonal;
           const double start = cpu_seconds();
           solution = Core::solve<CGAL::Sequential_tag>(mesh.graph, terminals, options, [] { return true; });
           times[m] = cpu_seconds() - start;
           lengths[m] = solution.tree.length;
           seconds[m].values.push_back(times[m]);
         }
-        std::cout << argv[i] << "," << mesh.graph.number_of_vertices() << "," << terminals.size() << "," << seed << ","
+        std::cout << words[i] << "," << mesh.graph.number_of_vertices() << "," << terminals.size() << "," << seed << ","
                   << solution.is_optimal << "," << solution.lower_bound;
         for(int m = 0; m < count; ++m) {
           const double ratio = lengths[m] / lengths[best];

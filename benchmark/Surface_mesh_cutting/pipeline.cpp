@@ -3,9 +3,10 @@
 //
 //   pipeline [FOLDER|FILE...] [--effort fast|default|best] [--faithful] [--connect mst|sph|greedy|exact|best]
 //            [--conformal kp-newton|spectral] [--coarse FACES] [--max-distortion B] [--bijective]
-//            [--solver eigen|cholmod] [--threads N] [--seeds N] [--repetitions R] [--cold-map] [--baseline FILE.csv]
+//            [--solver eigen|simplicial|cholmod] [--threads N] [--seeds N] [--repetitions R] [--cold-map] [--baseline FILE.csv]
 //
-// The default is CGAL's data set. Times are medians over the repetitions, those of the phases and `cut_s`, all
+// The default is CGAL's data set. The solver `eigen` is the package's own factorization, `simplicial` Eigen's
+// SimplicialLDLT. Times are medians over the repetitions, those of the phases and `cut_s`, all
 // without the final UVs, are processor seconds. `--coarse 0` stays at full resolution. With `--cold-map`, `cold_s`
 // is what a symmetric Dirichlet parameterization of the surface opened along the final cut takes from nothing
 // (connected surfaces only), and `cold_tutte_s` the same the usual way, by Newton's method at full resolution from
@@ -27,6 +28,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+
+#include <Eigen/SparseCholesky>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -145,6 +148,8 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
   if(options.solver == "cholmod")
     return measure(mesh, options, seed, CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix> >());
 #endif
+  if(options.solver == "simplicial")
+    return measure(mesh, options, seed, CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> >());
   if(options.solver != "eigen")
     throw std::runtime_error("there is no solver " + options.solver);
   return measure(mesh, options, seed, CGAL::Default());

@@ -11,12 +11,13 @@ import statistics
 
 @dataclasses.dataclass
 class Claim:
-    """A statement of the paper, its figure and ours, and whether it holds (None: not measured)."""
+    """A statement of the paper, its figure and ours, whether it holds (None: not measured), and what explains that."""
     source: str
     statement: str
     paper: str
     ours: str
     holds: bool | None
+    reason: str = ""
 
     def verdict(self):
         return {True: "holds", False: "does not hold", None: "not measured"}[self.holds]
@@ -28,6 +29,11 @@ class Setting:
     def __init__(self, programs, output, extra):
         self.programs, self.output, self.extra = pathlib.Path(programs), pathlib.Path(output), extra
         self.closed = []  # paths of the closed connected meshes of genus 0, from small to large
+        self.blas = None  # a folder with another BLAS
+        self.values = {}  # numbers that the manual quotes
+        self.stages = []  # lines of Table 3
+        self.thresholds = []  # lines of cause_threshold.csv
+        self.triangulations = {}  # {name: line of Figure 12}
         self.rivals = {}  # {detector: {name of the mesh: its line}} where the detector succeeded
 
     def unwrap(self, mesh, *options):

@@ -33,11 +33,15 @@ class Pieces:
         self.jobs, self.time_limit = jobs, time_limit
         self.deadline = time.monotonic() + 60 * minutes
         self.number_left = self.number_run = 0
+        self.crashed = []  # commands
 
     def run(self, commands):
         """{key: Outcome} of {key: command}; the commands are started in this order."""
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            return dict(zip(commands, pool.map(self._run_one, commands.values())))
+            outcomes = dict(zip(commands, pool.map(self._run_one, commands.values())))
+        self.crashed += [" ".join(map(str, commands[key])) for key, outcome in outcomes.items()
+                         if outcome.exit_code is not None and outcome.exit_code < 0]
+        return outcomes
 
     def _run_one(self, command):
         file = self.folder / f"{signature(command)}.json"

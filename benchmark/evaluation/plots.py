@@ -14,7 +14,7 @@ def write_plot(folder, name, set_up, series):
     for i, (title, data, style) in enumerate(series):
         blocks.append(f"$data{i} << END\n" + "\n".join(" ".join(map(repr, row)) for row in data) + "\nEND\n")
         parts.append(f"$data{i} {style_of(style)} title '{title}'")
-    text = ("set terminal svg size 720,440 noenhanced background rgb 'white'\n"
+    text = ("set terminal svg size 480,360 noenhanced font 'sans-serif,14' background rgb 'white'\n"
             f"set output '{name}.svg'\nset grid\n{set_up}\n" + "".join(blocks) + "plot " + ", ".join(parts) + "\n")
     script = folder / f"{name}.gnuplot"
     script.write_text(text, encoding="utf-8")

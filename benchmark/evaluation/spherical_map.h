@@ -109,7 +109,7 @@ private:
 
   bool planar_map(int pole, std::vector<Eigen::Vector2d>& uv, std::vector<int>& vertices) const
   {
-    std::vector<int> faces, new_vertex(m_mesh.number_of_vertices()), new_halfedge(m_mesh.number_of_halfedges(), -1);
+    std::vector<int> faces, new_vertex(m_mesh.number_of_vertices(), -1), new_halfedge(m_mesh.number_of_halfedges(), -1);
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
       const Internal::Triangle& t = m_mesh.triangles()[f];

@@ -82,6 +82,7 @@ def triangulation_table(setting, outcomes):
                           "L": r["cut_length"], "E": r["E_iso"], "seconds": r["cpu_seconds"]["total"],
                           "paper_L": paper.get("L", ""), "paper_E": paper.get("E", "")})
     setting.write_table("figure_12_13_triangulations", table)
+    setting.triangulations = {row["triangulation"]: row for row in table}
     even = [row for row in table if row["triangulation"] != "uneven"]
     uneven = [row for row in table if row["triangulation"] == "uneven"]
     papers = [stage(name) for name in TRIANGULATIONS.values()]

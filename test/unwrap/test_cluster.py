@@ -15,7 +15,7 @@ from pathlib import Path
 
 from support import PROGRAM, main, octahedron, sphere, to_off, torus, without_face
 
-FOLDER = Path(__file__).parents[2] / "benchmark" / "cluster"
+FOLDER = Path(__file__).parents[2] / "benchmark" / "Surface_mesh_cutting" / "Robustness" / "campaign"
 NUMBER_OF_MESHES = 24
 
 

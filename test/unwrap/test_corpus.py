@@ -9,7 +9,7 @@ from pathlib import Path
 
 from support import Case, PROGRAM, main, octahedron, sphere, to_obj, to_off, torus
 
-FOLDER = Path(__file__).parents[2] / "benchmark" / "corpus"
+FOLDER = Path(__file__).parents[2] / "benchmark" / "Surface_mesh_cutting" / "Robustness" / "corpus"
 NOWHERE = ([("nan", 0, 0), *octahedron()[0][1:]], octahedron()[1])
 # Programs that end as unwrap must not.
 CULPRITS = {"hang": "sleep 60", "crash": "kill -SEGV $$", "uncertified": """echo '{"flips": 1}'"""}

@@ -7,7 +7,7 @@
   campaign.py shards CAMPAIGN
 
 A campaign is a folder that all machines see: what is to be run (campaign.json), and per shard the
-records of benchmark/corpus/run_mesh.py, one line per mesh. Working on a shard runs each of its meshes
+records of corpus/run_mesh.py, one line per mesh. Working on a shard runs each of its meshes
 that has no record yet, one process each, so whatever was interrupted is repeated by working on the
 shard again. A shard is worked on by one process at a time; a second one fails.
 

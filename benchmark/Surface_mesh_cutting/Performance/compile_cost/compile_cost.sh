@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Prints what programs cost to compile, in seconds of user time and megabytes, and their ratio to CGAL's ARAP
 # parameterizer:
-#   benchmark/compile_cost/compile_cost.sh [REPETITIONS]    (default: 1; the least time counts)
+#   benchmark/Surface_mesh_cutting/Performance/compile_cost/compile_cost.sh [REPETITIONS]    (default: 1; the least time counts)
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../../.." && pwd)
 repetitions=${1:-1}
 compiler=${CXX:-g++}
 
@@ -27,7 +27,7 @@ row() {
   awk -v name="$1" -v s="$seconds" -v m="$megabytes" -v r="$reference" \
     'BEGIN { printf "%-42s %8.1f %8.0f %8.2f\n", name, s, m, s / r }'
 }
-row "CGAL's ARAP parameterizer" "$root/benchmark/compile_cost/arap.cpp"
+row "CGAL's ARAP parameterizer" "$root/benchmark/Surface_mesh_cutting/Performance/compile_cost/arap.cpp"
 row "the program of README.md" "$work/main.cpp"
 row "the same with the compiled library" "$work/main.cpp" -DCGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 row "steiner_tree_example.cpp" "$root/examples/BGL/steiner_tree_example.cpp"

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Makes a data set of any size out of small meshes: each variant is one of them, stretched and bent.
 
-  make_variants.py OUTPUT COUNT MESHES... [--largest FACES] [--seed N]
+  make_variants.py OUTPUT COUNT MESHES... [--largest FACES] [--seed N] [--kinds plain,soup,polygons]
 
 Reads OFF files of triangles, skips all others and those with more faces than allowed, and writes
-OUTPUT/NAME_NUMBER.off. The same seed makes the same files.
+OUTPUT/NAME_NUMBER.off. The same seed makes the same files. Kinds take turns: `plain` is only moved; of a `soup`, some faces
+are missing, some turned over, and some twice there; in `polygons`, pairs of neighbors are one face.
 """
 
 import argparse
@@ -47,10 +48,41 @@ def bent(points, numbers):
         yield scales[0] * p[0], scales[1] * (p[1] + wave), scales[2] * p[2]
 
 
+def soup(faces, numbers):
+    """Of twenty faces, about one is missing, one turned over, and one twice there."""
+    result = []
+    for face in faces:
+        chance = numbers.random()
+        result += [] if chance < 0.05 else [face[::-1]] if chance < 0.1 else [face, face] if chance < 0.15 else [face]
+    return result
+
+
+def polygons(faces, numbers):
+    """Pairs of neighbors become one face, where both are still free."""
+    neighbors = {(face[k], face[k - 2]): i for i, face in enumerate(faces) for k in range(3)}
+    result, used = [], set()
+    for i, face in enumerate(faces):
+        if i in used:
+            continue
+        used.add(i)
+        k = numbers.randrange(3)
+        a, b, c = face[k], face[k - 2], face[k - 1]
+        j = neighbors.get((b, a))
+        opposite = [v for v in faces[j] if v not in (a, b)] if j is not None and j not in used else []
+        if len(opposite) == 1 and opposite[0] != c:
+            used.add(j)
+            face = (a, opposite[0], b, c)
+        result.append(face)
+    return result
+
+
+KINDS = {"plain": lambda faces, numbers: faces, "soup": soup, "polygons": polygons}
+
+
 def write_off(file, points, faces):
     lines = ["OFF", f"{len(points)} {len(faces)} 0"]
     lines += (f"{x!r} {y!r} {z!r}" for x, y, z in points)
-    lines += (f"3 {a} {b} {c}" for a, b, c in faces)
+    lines += (" ".join(map(str, (len(face), *face))) for face in faces)
     file.write_text("\n".join(lines) + "\n")
 
 
@@ -61,6 +93,7 @@ def main():
     parser.add_argument("meshes", nargs="+", help="meshes, folders of meshes, or lists of meshes (.txt)")
     parser.add_argument("--largest", type=int, default=1000, metavar="FACES", help="default: %(default)s")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--kinds", default="plain", help="separated by commas; default: %(default)s")
     arguments = parser.parse_args()
     read = ((mesh.stem, read_off(mesh, arguments.largest)) for mesh in meshes_in(arguments.meshes)
             if mesh.suffix == ".off")
@@ -68,10 +101,12 @@ def main():
     if not sources:
         sys.exit("none of the meshes is small enough")
     arguments.output.mkdir(parents=True, exist_ok=True)
+    kinds = [KINDS[kind] for kind in arguments.kinds.split(",")]
     numbers = random.Random(arguments.seed)
     for i in range(arguments.count):
-        name, (points, faces) = sources[i % len(sources)]
-        write_off(arguments.output / f"{name}_{i:04}.off", list(bent(points, numbers)), faces)
+        name, (points, faces) = sources[i // len(kinds) % len(sources)]
+        points = list(bent(points, numbers))
+        write_off(arguments.output / f"{name}_{i:04}.off", points, kinds[i % len(kinds)](faces, numbers))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
-# Time and memory against the size, from the output of pipeline for the meshes of make_sizes:
+# Time and memory against the size, from the sizes.csv that performance.py writes:
 #
 #   gnuplot -e "file='sizes.csv'" scaling.gnuplot
 #
-# Writes scaling.png, a figure of the manual. The exponents are fitted between 10,000 and 1,000,000 triangles.
+# Writes scaling.png, a figure of the manual, and scaling.svg. The exponents are fitted between 10,000 and 1,000,000 triangles.
 set datafile separator ","
 set terminal pngcairo size 640,420 font "sans-serif,10" background "white"
 set output "scaling.png"
@@ -24,3 +24,6 @@ plot file using (column("triangles")):(column("total_s")) with linespoints point
        title sprintf("cut and UVs, exponent %.2f", total), \
      file using (column("triangles")):(column("cut_s")) with linespoints pointtype 6 linewidth 2 \
        title sprintf("cut alone, exponent %.2f", k)
+set terminal svg size 640,420 font "sans-serif,12" background rgb "white"
+set output "scaling.svg"
+replot

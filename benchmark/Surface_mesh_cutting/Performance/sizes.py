@@ -1,0 +1,72 @@
+"""One shape at sizes from 2,000 to a million triangles."""
+
+import csv
+import math
+import pathlib
+import shutil
+import statistics
+import subprocess
+
+from bench import Measured, cut_seconds, total_seconds
+
+SIZES = [2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000]
+FITTED = 10000  # and more triangles: from there, points are found on a coarser version
+
+
+def shapes(bench):
+    """Made once for all claims."""
+    folder = bench.folder.parent / "shapes"
+    files = [folder / f"shape_{size}.ply" for size in SIZES]
+    if not files[0].exists() or not files[-1].exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        subprocess.run([bench.program("make_sizes"), folder, bench.options.meshes / "cow.off", *map(str, SIZES)], check=True,
+                       stdout=subprocess.DEVNULL)
+    return files
+
+
+def exponent(triangles, seconds):
+    """The slope of the line through the logarithms."""
+    points = [(math.log(x), math.log(y)) for x, y in zip(triangles, seconds) if x >= 0.99 * FITTED]
+    return statistics.linear_regression(*zip(*points)).slope
+
+
+def measure_sizes(bench):
+    records = bench.records(shapes(bench), "--effort", "fast", "--allow-overlap", "--uv-scale", "surface")
+    reports = [record["report"] for record in records]
+    rows = [(report["faces"], cut_seconds(report), total_seconds(report), record["peak_memory_mb"])
+            for report, record in zip(reports, records)]
+    draw(bench, rows)
+    triangles, cut, total, _ = zip(*rows)
+    values = {"cut_exponent": exponent(triangles, cut), "exponent": exponent(triangles, total)}
+    for size, (_, cut_time, time, megabytes) in zip(SIZES, rows):
+        values |= {f"cut_seconds_{size}": cut_time, f"seconds_{size}": time, f"megabytes_{size}": megabytes}
+    table = [["Triangles", "cut, s", "cut and UVs, s", "MB"]]
+    table += [[f"{size:,}", f"{a:.2f}", f"{b:.2f}", f"{memory:,.0f}"] for size, a, b, memory in rows]
+    return Measured(values, {"sizes": table})
+
+
+def draw(bench, rows):
+    """OUTPUT/sizes.csv, and scaling.png, the manual's figure, where there is gnuplot."""
+    with open(bench.options.output / "sizes.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(["triangles", "cut_s", "total_s", "memory_mb"])
+        writer.writerows(rows)
+    if shutil.which("gnuplot"):
+        script = pathlib.Path(__file__).resolve().with_name("scaling.gnuplot")
+        subprocess.run(["gnuplot", "-e", "file='sizes.csv'", script], cwd=bench.options.output, check=True,
+                       stderr=subprocess.DEVNULL)
+
+
+def measure_solvers(bench):
+    """The same method with the two linear solvers, at two sizes."""
+    small, large = (shapes(bench)[SIZES.index(size)] for size in (20000, 200000))
+    values = {}
+    for name, mesh in ("small", small), ("large", large):
+        seconds = {solver: statistics.median(
+            total_seconds(bench.reports([mesh], "--effort", "fast", "--allow-overlap", "--uv-scale", "surface",
+                                        "--solver", solver, repetition=i)[0]) for i in range(3))
+            for solver in ("eigen", "cholmod")}
+        values |= {f"{name}_triangles": bench.reports([mesh], "--effort", "fast", "--allow-overlap", "--uv-scale", "surface",
+                                                      "--solver", "eigen")[0]["faces"],
+                   f"{name}_ratio": seconds["cholmod"] / seconds["eigen"]}
+    return Measured(values)

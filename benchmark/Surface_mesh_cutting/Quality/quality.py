@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Measures how good results are: lengths, distortion, shortest trees, layouts. --help tells the options, --list the
+claims."""
+
+import pathlib
+import statistics
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "scoreboard"))
+
+from bench import Measured, mean_of, total_seconds  # noqa: E402
+from driver import Claim, run  # noqa: E402
+from layouts import measure_packing, measure_weights  # noqa: E402
+from meshes import CLOSED, FIGURES  # noqa: E402
+from trees import measure_many_terminals, measure_pace, measure_trees  # noqa: E402
+
+# Where no time counts, several runs go side by side; processor seconds are then a little longer than alone.
+OVERLAP = ["--allow-overlap"]
+
+
+def mean_seconds(reports):
+    return statistics.fmean(map(total_seconds, reports))
+
+
+def measure_efforts(bench):
+    meshes = bench.meshes(FIGURES)
+    values, table = {"surfaces": len(meshes)}, [["Effort", "mean length", "mean distortion", "mean s"]]
+    for effort in "fast", "default", "best":
+        reports = bench.reports(meshes, "--effort", effort, *OVERLAP, jobs=bench.options.jobs)
+        found = mean_of(reports, "cut_length"), mean_of(reports, "E_iso"), mean_seconds(reports)
+        values |= dict(zip((f"{effort}_length", f"{effort}_energy", f"{effort}_seconds"), found))
+        table.append([effort, f"{found[0]:.3f}", f"{found[1]:.3f}", f"{found[2]:.1f}"])
+    values["percent"] = 100 * (values["default_length"] / values["fast_length"] - 1)
+    return Measured(values, {"efforts": table})
+
+
+def measure_bounds(bench):
+    meshes = bench.meshes(FIGURES)
+    free = bench.reports(meshes, *OVERLAP, jobs=bench.options.jobs)
+    values = {"surfaces": len(meshes), "kept": 0, "runs": 0, "length": mean_of(free, "cut_length"), "seconds": mean_seconds(free)}
+    for bound in "4.05", "4.03":
+        reports = bench.reports(meshes, "--max-distortion", bound, *OVERLAP, jobs=bench.options.jobs)
+        values["kept"] += sum(report["status"] == "done" and report["E_iso"] <= float(bound) for report in reports)
+        values["runs"] += len(reports)
+        name = bound.replace(".", "_")
+        values |= {f"length_{name}": mean_of(reports, "cut_length"), f"seconds_{name}": mean_seconds(reports)}
+    return Measured(values)
+
+
+def measure_overlaps(bench):
+    """What it costs that no two triangles of the layout overlap."""
+    meshes = bench.meshes(CLOSED)
+    free = bench.reports(meshes, "--effort", "fast", "--uv-scale", "surface", *OVERLAP)
+    bijective = bench.reports(meshes, "--effort", "fast", "--uv-scale", "surface")
+    return Measured({
+        "surfaces": len(meshes), "time_percent": 100 * (sum(map(total_seconds, bijective)) / sum(map(total_seconds, free)) - 1),
+        "energy": mean_of(bijective, "E_iso") - mean_of(free, "E_iso"),
+        "length_percent": 100 * (mean_of(bijective, "cut_length") / mean_of(free, "cut_length") - 1),
+        "overlaps": sum(report["overlaps"] for report in bijective)})
+
+
+def measure_coarse(bench):
+    """Feature points of a coarser version against those of full resolution."""
+    meshes = bench.meshes(CLOSED[-9:])
+    command = [bench.program("pipeline"), *meshes, "--effort", "fast", "--repetitions", "1"]
+    found = dict(zip(("coarse", "full"), bench.all_rows([command, [*command, "--coarse", "0"]])))
+    mean = {(name, column): statistics.fmean(float(row[column]) for row in rows)
+            for name, rows in found.items() for column in ("L", "E", "cut_s")}
+    return Measured({"surfaces": len(meshes), "energy": mean["coarse", "E"] - mean["full", "E"],
+                     "length_percent": 100 * (mean["coarse", "L"] / mean["full", "L"] - 1),
+                     "times_as_fast": mean["full", "cut_s"] / mean["coarse", "cut_s"]})
+
+
+def measure_feature_trees(bench):
+    """The trees through feature points."""
+    reports = bench.reports(bench.meshes(CLOSED), "--effort", "fast", *OVERLAP)
+    seconds = [report["cpu_seconds"]["connect"] for report in reports]
+    return Measured({"surfaces": len(reports), "proven": sum(bool(report["optimal"]) for report in reports),
+                     "median_ms": 1000 * statistics.median(seconds), "largest_s": max(seconds)})
+
+
+CLAIMS = [
+    Claim("efforts", 2,
+          "On {surfaces} surfaces, default cuts have {percent:+.1f} % length against fast ones, at {default_energy:.3f} instead of "
+          "{fast_energy:.3f}; best ones have {best_length:.3f} instead of {default_length:.3f} diagonals at {best_energy:.3f}",
+          measure_efforts),
+    Claim("bounds", 2,
+          "Bounds of 4.05 and 4.03 are kept in {kept} of {runs} runs; mean lengths {length_4_05:.2f} and {length_4_03:.2f}, "
+          "{length:.2f} without", measure_bounds),
+    Claim("overlaps", 1.5,
+          "On {surfaces} surfaces, layouts without overlaps take {time_percent:+.0f} % time for {energy:+.4f} mean distortion and "
+          "{length_percent:+.1f} % length; overlaps left: {overlaps}", measure_overlaps),
+    Claim("coarse", 1,
+          "On {surfaces} larger surfaces, feature points of a coarser version are found {times_as_fast:.1f} times as fast, for "
+          "{energy:+.4f} mean distortion and {length_percent:+.1f} % length", measure_coarse),
+    Claim("feature_trees", 0.5,
+          "{proven} of {surfaces} trees through feature points are proven shortest, in {median_ms:.0f} ms in the median and "
+          "{largest_s:.2f} s at most", measure_feature_trees),
+    Claim("trees", 1.5,
+          "{proven:,} of {sets:,} trees through random points are proven shortest, in {median_ms:.0f} ms in the median",
+          measure_trees),
+    Claim("many_terminals", 0.5,
+          "Shortest trees through 26 points of a surface of {vertices:,} vertices take {least_s:.1f} to {largest_s:.1f} s",
+          measure_many_terminals),
+    Claim("pace", 15,
+          "Of the {graphs} graphs of PACE 2018, {solved} are solved exactly within {limit:.0f} s each; the best trees found in that "
+          "time are at most {percent:.2f} % longer than shortest ones", measure_pace, needs="--graphs FOLDER", is_long=True),
+    Claim("weights", 1.5,
+          "Weights for a view from the front remove {viewers_percent:.0f} % of what is seen of the cuts, for "
+          "{viewers_length:+.0f} % length, on {surfaces} surfaces", measure_weights),
+    Claim("packing", 0.5,
+          "Packed charts fill {packed:.1f} % of the square, {shelves:.1f} % on shelves and {bitmap:.1f} % in a bitmap, on "
+          "{files} layouts", measure_packing),
+]
+
+if __name__ == "__main__":
+    run("quality", CLAIMS)
