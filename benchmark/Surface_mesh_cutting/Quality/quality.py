@@ -11,6 +11,7 @@ sys.path.insert(0, str(HERE.parents[1] / "scoreboard"))
 
 from bench import Measured, mean_of, total_seconds  # noqa: E402
 from driver import Claim, run  # noqa: E402
+from known_cuts import measure_known  # noqa: E402
 from layouts import measure_packing, measure_weights  # noqa: E402
 from meshes import CLOSED, FIGURES  # noqa: E402
 from trees import measure_many_terminals, measure_pace, measure_trees  # noqa: E402
@@ -88,6 +89,9 @@ CLAIMS = [
     Claim("bounds", 2,
           "Bounds of 4.05 and 4.03 are kept in {kept} of {runs} runs; mean lengths {length_4_05:.2f} and {length_4_03:.2f}, "
           "{length:.2f} without", measure_bounds),
+    Claim("best_known", 5,
+          "On {surfaces} closed surfaces, default cuts are {default_free:.1f} % longer than the best known ones without a bound, "
+          "{default_4_1:.1f} % at a bound of 4.1; fast ones {fast_free:.1f} % and {fast_4_1:.1f} %", measure_known),
     Claim("overlaps", 1.5,
           "On {surfaces} surfaces, layouts without overlaps take {time_percent:+.0f} % time for {energy:+.4f} mean distortion and "
           "{length_percent:+.1f} % length; overlaps left: {overlaps}", measure_overlaps),
