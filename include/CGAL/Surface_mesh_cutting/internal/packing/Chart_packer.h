@@ -73,8 +73,9 @@ public:
     choose_turns();
     choose_strategies();
     find_limit();
-    const bool are_many = int(m_outlines.size()) > many;
-    const int coarsest = are_many ? 1024 : 512, finest = int(m_outlines.size()) <= several ? coarsest : 4096;
+    // On the finest grid, charts of average size are some dozen cells wide; the time to place one grows with its cells.
+    const bool are_few = int(m_outlines.size()) <= several, are_many = int(m_outlines.size()) > many;
+    const int coarsest = are_many ? 1024 : 512, finest = are_few ? coarsest : are_many ? 4096 : 2048;
     if(!find_first(coarsest))
       return std::nullopt;
     for(int resolution = coarsest; resolution <= finest; resolution *= 2)
@@ -83,7 +84,7 @@ public:
       grow(resolution, resolution == coarsest ? 1.08 : 1.03, resolution < finest ? 1.02 : 1.004);
       m_strategies.resize((std::min)(m_strategies.size(), strategies_on_fine_grids));
     }
-    if(int(m_outlines.size()) <= several)
+    if(are_few)
       push_apart();
     return m_best;
   }
