@@ -187,13 +187,15 @@ public:
   }
 
 private:
-  // A bound that so many slits do not reach is out of reach: bounds that are reached take less than half as
-  // many. Each slit takes a solve of the whole; on small surfaces, all take about half a minute.
+  // A bound that so many slits do not reach is out of reach: bounds that are reached take less than half as many, but
+  // for surfaces with many handles, which are distorted everywhere. Each slit takes a solve of the whole; on small
+  // surfaces, all take about half a minute.
   bool open_slits_until(double bound, double least_gain)
   {
-    constexpr int enough_slits = 200, enough_solved_faces = 2000000;
+    constexpr int enough_slits = 200, enough_slits_between_handles = 1000, enough_solved_faces = 2000000;
     const int maximum_number_of_slits
-      = (std::max)(enough_slits, enough_solved_faces / m_mesh.number_of_faces());
+      = (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
+                   enough_solved_faces / m_mesh.number_of_faces());
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     for(int i = 0; m_cut.energy() > bound; ++i)
     {
