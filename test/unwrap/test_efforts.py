@@ -12,6 +12,24 @@ def with_bumps(mesh):
     return [tuple(factor(*p) * c for c in p) for p in mesh[0]], mesh[1]
 
 
+def cross(arms):
+    """Cubes in a row along each of some half axes, and one in the middle."""
+    cubes = {(0, 0, 0), *(tuple(sign * length * (axis == k) for k in range(3))
+                          for axis, sign, size in arms for length in range(1, size + 1))}
+    points, faces = {}, []
+    for cube in sorted(cubes):
+        for axis in range(3):
+            for side in (0, 1):
+                if tuple(c + (2 * side - 1) * (axis == k) for k, c in enumerate(cube)) in cubes:
+                    continue
+                first, second = (axis + 1) % 3, (axis + 2) % 3
+                corners = [tuple(c + (side if k == axis else a if k == first else b) for k, c in enumerate(cube))
+                           for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                a, b, c, d = [points.setdefault(p, len(points)) for p in (corners if side else corners[::-1])]
+                faces += [(a, b, c), (a, c, d)]
+    return list(points), faces
+
+
 MESHES = {"bumps": with_bumps(sphere(3)), "torus": torus(12)}
 
 
@@ -35,6 +53,18 @@ class Efforts(Case):
                                 self.assertLessEqual(best, other * (1 + 1e-9))
                             else:
                                 self.assertFalse(other < best * (1 - 1e-9) and other_energy < energy - 1e-9)
+
+    # Single starts miss the bound on at least one of these.
+    def test_a_bound_that_is_missed_starts_a_search(self):
+        options = "-o", "out.obj", "--quiet", "--max-distortion", "4.1", "--effort"
+        for longest in range(3):
+            self.write("cross.off", to_off(cross([(axis, sign, 1 + (axis + sign + longest) % 3)
+                                                  for axis in range(3) for sign in (-1, 1)])))
+            for effort in ("fast", "default"):
+                with self.subTest(longest=longest, effort=effort):
+                    _, report = self.report("cross.off", *options, effort)
+                    self.assertEqual((report["status"], report["overlaps"]), ("done", 0))
+                    self.assertLessEqual(report["E_iso"], 4.1)
 
 
 main()

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -55,26 +56,28 @@ public:
     return result;
   }
 
-  // Runs as often as the effort says; the best result is returned, with the cuts that any run has seen.
+  // Runs as often as the effort says, and on where a bound was missed; the best result is returned, with the cuts that
+  // any run has seen.
   Component_result run(bool needs_uv)
   {
     const bool has_seeds = m_problem.is_sphere && !m_problem.initial.is_given(); // that lead to other first cuts
-    const std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
+    std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
     Component_result failed;
     failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!failed.status)
       return failed;
     std::vector<Component_result> results;
-    for(const Cutting_parameters& parameters : runs)
+    for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
-      if(!m_context.control.go_further())
-        break;
-      const Start_run<ConcurrencyTag> run_with(m_problem, Context{parameters, m_context.control, m_context.clock});
+      const Start_run<ConcurrencyTag> run_with(m_problem, Context{runs[i], m_context.control, m_context.clock});
       Component_result result = run_with(0, needs_uv || runs.size() > 1);
       if(!result.has_cut && results.empty())
         return result;
       if(result.has_cut)
         results.push_back(std::move(result));
+      if(runs.size() == 1 && goes_on_after(results))
+        for(const Cutting_parameters& further : further_runs(m_context.parameters, has_seeds))
+          runs.push_back(further);
     }
     if(results.empty())
     {
@@ -85,6 +88,15 @@ public:
   }
 
 private:
+  // On coarse surfaces, where starts differ most, another one may reach the bound, and takes little time.
+  bool goes_on_after(const std::vector<Component_result>& results) const
+  {
+    constexpr int largest = 2000; // faces
+    return has_bound(m_context.parameters) && !m_context.parameters.use_published_method &&
+           m_problem.mesh.number_of_faces() <= largest && !results.empty() &&
+           results.front().has_map && results.front().energy > m_context.parameters.maximum_average_distortion;
+  }
+
   Component_result best_of(std::vector<Component_result>& results) const
   {
     Component_result& best = *std::min_element(results.begin(), results.end(), [this](const auto& a, const auto& b)

@@ -79,6 +79,16 @@ inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& param
   return runs;
 }
 
+// The runs that follow where a bound was missed.
+inline std::vector<Cutting_parameters> further_runs(Cutting_parameters parameters, bool has_seeds)
+{
+  const int coarse_number_of_faces = parameters.coarse_number_of_faces;
+  set_effort(Effort::BEST, parameters);
+  parameters.adapt_solves_to_weights();
+  parameters.coarse_number_of_faces = coarse_number_of_faces;
+  return portfolio(parameters, has_seeds);
+}
+
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
