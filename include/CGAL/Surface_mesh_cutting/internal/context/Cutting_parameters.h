@@ -76,14 +76,16 @@ struct Cutting_parameters
   void adapt_to_weights()
   {
     has_weights = true;
-    moves_ends = false; // they move to cheap places
-    adapt_solves_to_weights();
+    adapt_effort_to_weights();
   }
 
-  void adapt_solves_to_weights()
+  void adapt_effort_to_weights()
   {
     constexpr int least_number_of_solves = 16;
-    if(has_weights && number_of_shortening_solves > 0)
+    if(!has_weights)
+      return;
+    moves_ends = false; // they move to cheap places
+    if(number_of_shortening_solves > 0)
       number_of_shortening_solves = (std::max)(number_of_shortening_solves, least_number_of_solves);
   }
 

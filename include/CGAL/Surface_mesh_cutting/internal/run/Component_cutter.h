@@ -76,7 +76,7 @@ public:
       if(result.has_cut)
         results.push_back(std::move(result));
       if(runs.size() == 1 && goes_on_after(results))
-        for(const Cutting_parameters& further : further_runs(m_context.parameters, has_seeds))
+        for(const Cutting_parameters& further : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
           runs.push_back(further);
     }
     if(results.empty())

@@ -43,7 +43,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
     p.number_of_starts = has_bound ? 1 : 3; // moving ends at a bound levels what starts differ by
     p.number_of_combinations = 0;
     p.number_of_shortening_solves = has_bound ? 60 : 8;
-    p.moves_ends = has_bound && !p.has_weights;
+    p.moves_ends = has_bound;
     break;
   case Effort::BEST:
     p.number_of_starts = 12;
@@ -51,6 +51,16 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
     p.number_of_shortening_solves = has_bound ? 300 : 60;
     break;
   }
+}
+
+// The same with another effort.
+inline Cutting_parameters with_effort(Effort effort, Cutting_parameters parameters)
+{
+  const int coarse_number_of_faces = parameters.coarse_number_of_faces; // a parameter of its own
+  set_effort(effort, parameters);
+  parameters.adapt_effort_to_weights();
+  parameters.coarse_number_of_faces = coarse_number_of_faces;
+  return parameters;
 }
 
 // The runs of which the best result is returned. The best effort contains the smaller ones, also from the first seeds,
@@ -68,25 +78,11 @@ inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& param
   for(unsigned int seed : seeds)
     for(Effort effort : {Effort::DEFAULT, Effort::FAST})
     {
-      Cutting_parameters run = parameters;
-      set_effort(effort, run);
-      run.adapt_solves_to_weights();
-      run.coarse_number_of_faces = parameters.coarse_number_of_faces;
-      run.random_seed = seed;
-      runs.push_back(run);
+      runs.push_back(with_effort(effort, parameters));
+      runs.back().random_seed = seed;
     }
   runs.push_back(parameters); // last, since it takes longest
   return runs;
-}
-
-// The runs that follow where a bound was missed.
-inline std::vector<Cutting_parameters> further_runs(Cutting_parameters parameters, bool has_seeds)
-{
-  const int coarse_number_of_faces = parameters.coarse_number_of_faces;
-  set_effort(Effort::BEST, parameters);
-  parameters.adapt_solves_to_weights();
-  parameters.coarse_number_of_faces = coarse_number_of_faces;
-  return portfolio(parameters, has_seeds);
 }
 
 } // namespace internal
