@@ -1,5 +1,7 @@
 #include "Mesh_mutator.h"
 
+#include "to_soup.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,17 +58,7 @@ void Mesh_mutator::mutate()
   }
 }
 
-Polygon_soup Mesh_mutator::soup() const
-{
-  Polygon_soup soup;
-  soup.points = m_points;
-  for(const Triangle& t : m_faces)
-  {
-    soup.corners.insert(soup.corners.end(), t.begin(), t.end());
-    soup.close_polygon();
-  }
-  return soup;
-}
+Polygon_soup Mesh_mutator::soup() const { return to_soup(m_points, m_faces); }
 
 double Mesh_mutator::power_of_ten(double low, double high) { return std::pow(10, low + uniform() * (high - low)); }
 

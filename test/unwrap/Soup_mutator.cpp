@@ -1,5 +1,7 @@
 #include "Soup_mutator.h"
 
+#include "to_soup.h"
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -30,17 +32,7 @@ void Soup_mutator::mutate()
   }
 }
 
-Polygon_soup Soup_mutator::soup() const
-{
-  Polygon_soup soup;
-  soup.points = m_points;
-  for(const Polygon& polygon : m_polygons)
-  {
-    soup.corners.insert(soup.corners.end(), polygon.begin(), polygon.end());
-    soup.close_polygon();
-  }
-  return soup;
-}
+Polygon_soup Soup_mutator::soup() const { return to_soup(m_points, m_polygons); }
 
 // Joins polygons to neighbors across one edge. What comes out need be neither flat nor convex.
 void Soup_mutator::dissolve_edges()

@@ -22,20 +22,11 @@ class Layout_builder
 public:
   Layout_builder(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup)
     : m_surface(surface), m_mesh(surface.mesh), m_is_cut(is_cut), m_uvs(uvs), m_soup(soup),
-      m_uv_vertices(m_mesh.num_halfedges(), -1)
+      m_uv_vertices(m_mesh.num_halfedges(), -1), m_layout(layout_without_uvs(soup))
   {}
 
   Layout build()
   {
-    m_layout.points = m_soup.points;
-    m_layout.corners = m_soup.corners;
-    m_layout.polygon_ends = m_soup.polygon_ends;
-    if(!find_wrong_color(m_soup))
-      m_layout.colors = m_soup.colors;
-    m_layout.normals = m_soup.normals;
-    m_layout.corner_normals = m_soup.corner_normals;
-    m_layout.obj_statements = m_soup.obj_statements;
-    m_layout.ply_source = m_soup.ply_source;
     for(const Halfedge h : m_surface.halfedges)
     {
       if(m_uv_vertices[h] < 0)
@@ -150,6 +141,21 @@ std::vector<double> distortions(const Layout& layout)
 }
 
 } // namespace
+
+Layout layout_without_uvs(const Polygon_soup& soup)
+{
+  Layout layout;
+  layout.points = soup.points;
+  layout.corners = soup.corners;
+  layout.polygon_ends = soup.polygon_ends;
+  if(!find_wrong_color(soup))
+    layout.colors = soup.colors;
+  layout.normals = soup.normals;
+  layout.corner_normals = soup.corner_normals;
+  layout.obj_statements = soup.obj_statements;
+  layout.ply_source = soup.ply_source;
+  return layout;
+}
 
 Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup, double uv_scale)
 {
