@@ -1,13 +1,13 @@
 """One shape at sizes from 2,000 to a million triangles."""
 
 import csv
-import math
 import pathlib
 import shutil
 import statistics
 import subprocess
 
 from bench import Measured, cut_seconds, total_seconds
+from phases import exponent
 
 SIZES = [2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000]
 FITTED = 10000  # and more triangles: from there, points are found on a coarser version
@@ -24,10 +24,8 @@ def shapes(bench):
     return files
 
 
-def exponent(triangles, seconds):
-    """The slope of the line through the logarithms."""
-    points = [(math.log(x), math.log(y)) for x, y in zip(triangles, seconds) if x >= 0.99 * FITTED]
-    return statistics.linear_regression(*zip(*points)).slope
+def fitted_exponent(triangles, seconds):
+    return exponent([point for point in zip(triangles, seconds) if point[0] >= 0.99 * FITTED])
 
 
 def measure_sizes(bench):
@@ -37,7 +35,7 @@ def measure_sizes(bench):
             for report, record in zip(reports, records)]
     draw(bench, rows)
     triangles, cut, total, _ = zip(*rows)
-    values = {"cut_exponent": exponent(triangles, cut), "exponent": exponent(triangles, total)}
+    values = {"cut_exponent": fitted_exponent(triangles, cut), "exponent": fitted_exponent(triangles, total)}
     for size, (_, cut_time, time, megabytes) in zip(SIZES, rows):
         values |= {f"cut_seconds_{size}": cut_time, f"seconds_{size}": time, f"megabytes_{size}": megabytes}
     table = [["Triangles", "cut, s", "cut and UVs, s", "MB"]]
