@@ -231,11 +231,11 @@ def to_binary_stl(mesh):
     return data
 
 
-def to_glb(points, triangles, nodes=({"mesh": 0},)):
+def to_glb(points, triangles, nodes=({"mesh": 0},), uvs=None):
     """One mesh at several nodes."""
     buffer = b"".join(struct.pack("<3f", *p) for p in points) + b"".join(struct.pack("<3I", *t) for t in triangles)
-    first = 12 * len(points)
-    text = json.dumps({
+    first, second = 12 * len(points), len(buffer)
+    description = {
         "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}], "nodes": nodes,
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3",
@@ -243,8 +243,13 @@ def to_glb(points, triangles, nodes=({"mesh": 0},)):
                        "max": [max(p[i] for p in points) for i in range(3)]},
                       {"bufferView": 1, "componentType": 5125, "count": 3 * len(triangles), "type": "SCALAR"}],
         "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": first},
-                        {"buffer": 0, "byteOffset": first, "byteLength": len(buffer) - first}],
-        "buffers": [{"byteLength": len(buffer)}]}).encode()
+                        {"buffer": 0, "byteOffset": first, "byteLength": second - first}]}
+    if uvs:
+        buffer += b"".join(struct.pack("<2f", *uv) for uv in uvs)
+        description["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 2
+        description["accessors"].append({"bufferView": 2, "componentType": 5126, "count": len(uvs), "type": "VEC2"})
+        description["bufferViews"].append({"buffer": 0, "byteOffset": second, "byteLength": len(buffer) - second})
+    text = json.dumps(description | {"buffers": [{"byteLength": len(buffer)}]}).encode()
     text += b" " * (-len(text) % 4)
     return (struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(buffer)) + struct.pack("<I4s", len(text), b"JSON")
             + text + struct.pack("<I4s", len(buffer), b"BIN\0") + buffer)
@@ -264,11 +269,14 @@ def read_obj(path):
     return points, texture_points, faces
 
 
-def cut_edges(path):
-    """The edges whose two sides have different texture points."""
+def cut_edges(path, points=None):
+    """The edges whose two sides have different texture points, by indices in the file or in the points given."""
+    read_points, _, faces = read_obj(path)
+    names = range(len(read_points)) if points is None else [points.index(point) for point in read_points]
     sides = {}
-    for face in read_obj(path)[2]:
-        for (a, uv_a), (b, uv_b) in zip(face, face[1:] + face[:1]):
+    for face in faces:
+        named = [(names[v], uv) for v, uv in face]
+        for (a, uv_a), (b, uv_b) in zip(named, named[1:] + named[:1]):
             sides.setdefault(frozenset((a, b)), []).append({a: uv_a, b: uv_b})
     return {edge for edge, (one, *other) in sides.items() if other and one != other[0]}
 

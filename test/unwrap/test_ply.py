@@ -100,6 +100,9 @@ def random_file(form, generator):
         if element == "vertex":
             own = [(name, "float", None) for name in "xyz"]
             values = POINTS
+            if generator.randrange(2):
+                own = [("t", "float", None), own[0], ("s", "double", None), *own[1:]]
+                values = [(0.25, x, 0.5, y, z) for x, y, z in POINTS]
         elif element == "face":
             own = [("vertex_indices", "int", "uchar")]
             values = [[face] for face in FACES]
@@ -118,9 +121,10 @@ def random_file(form, generator):
 
 
 def without_texture(ply):
-    """Elements by name as lists of columns, by name of the property."""
+    """Elements by name as lists of columns, by name of the property. That points have texture coordinates, too, would
+    be a contradiction."""
     return {element: {(name, kind, size): [row[i] for row in rows] for i, (name, kind, size) in enumerate(properties)
-                      if name != "texcoord"} for element, (properties, rows) in ply.elements.items()}
+                      if name not in ("texcoord", "s", "t")} for element, (properties, rows) in ply.elements.items()}
 
 
 class Kept(Case):
@@ -155,6 +159,7 @@ class Kept(Case):
                 self.assertEqual((out.form, out.comments), (ply.form, ply.comments))
                 self.assertEqual(list(out.elements), list(ply.elements))
                 self.assertEqual(without_texture(out), without_texture(ply))
+                self.assertFalse({"s", "t"} & {name for name, _, _ in out.elements["vertex"][0]})
                 self.check_texture(out, self.uvs_of_obj())
 
     def test_again(self):

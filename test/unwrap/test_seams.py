@@ -2,7 +2,8 @@
 
 import struct
 
-from support import Case, cut_edges, main, ply_header, read_obj, selection, sphere, to_obj, to_off, to_text_stl
+from support import (Case, cut_edges, main, ply_header, read_obj, selection, sphere, to_glb, to_obj, to_off, to_ply,
+                     to_text_stl)
 
 SPHERE = sphere(3)
 POINTS, FACES = SPHERE
@@ -48,6 +49,26 @@ def textured_ply(form):
     return header + b"".join(struct.pack(pattern, *row) for row, pattern in rows)
 
 
+def repeated():
+    """Points, their texture coordinates, and faces, where a point has as many indices as texture coordinates."""
+    indices = {}
+    faces = [tuple(indices.setdefault((POINTS[v], uv), len(indices)) for v, uv in zip(face, uvs))
+             for face, uvs in zip(FACES, UVS)]
+    return [point for point, _ in indices], [uv for _, uv in indices], faces
+
+
+def textured_points():
+    """Files that give texture coordinates per point."""
+    points, uvs, faces = repeated()
+    rest = {"STOFF": (), "STCOFF": (0.5, 0.25, 1), "STNOFF": (0, 0, 1), "STCNOFF": (0, 0, 1, 0.5, 0.25, 1, 1)}
+    files = {f"{word}.off": to_off(([(*point, *between, *uv) for point, uv in zip(points, uvs)], faces)).replace(
+        "OFF", word, 1) for word, between in rest.items()}
+    for u, v in ("s", "t"), ("u", "v"), ("texture_u", "texture_v"):
+        files[f"{u}.ply"] = to_ply(([(*uv, *point) for point, uv in zip(points, uvs)], faces), "ascii").replace(
+            b"property float x", f"property float {u}\nproperty float {v}\nproperty float x".encode())
+    return files | {"scene.glb": to_glb(points, faces, uvs=uvs)}
+
+
 TEXTURED = {
     "absolute.obj": textured_obj(), "relative.obj": textured_obj(is_relative=True),
     "text.ply": textured_ply("ascii"), "binary.ply": textured_ply("binary_little_endian"),
@@ -70,6 +91,22 @@ class Seams(Case):
             self.write(name, content)
             with self.subTest(name=name):
                 self.assertEqual(self.cut(name, "--must-cut", "uv")[1], expected)
+
+    def test_coordinates_of_points(self):
+        """Where points are repeated, they have to be merged to have a seam between them."""
+        self.write("plain.obj", to_obj(SPHERE))
+        self.write("seam.txt", selection(edges=map(tuple, seam())))
+        _, expected = self.cut("plain.obj", "--must-cut", "seam.txt")
+        for name, content in textured_points().items():
+            self.write(name, content)
+            with self.subTest(name=name):
+                exit_code, report = self.report(name, "--must-cut", "uv", "--weld", "on", "-o", "out.obj")
+                if "without tinygltf" in report["message"]:
+                    continue
+                self.assertEqual((exit_code, report["flips"]), (0, 0), report["message"])
+                cut = cut_edges(self.folder / "out.obj", POINTS)
+                self.assertLessEqual(seam(), cut)
+                self.assertEqual(len(cut), len(expected))
 
     def test_round_trip(self):
         """What the program has unwrapped is the start of the next run, and is kept where that is asked for."""
@@ -130,10 +167,8 @@ class Seams(Case):
         self.assertLessEqual({edge for edge in seam() if not edge & set(sum(FACES[-UNTEXTURED:], ()))}, cut)
 
     def test_without_coordinates(self):
-        per_vertex = ply_header("ascii", 3, 1).replace("float z\n", "float z\nproperty float s\nproperty float t\n")
         plain = {"plain.obj": to_obj(SPHERE), "unused.obj": "vt 0 0\n" + to_obj(SPHERE), "plain.off": to_off(SPHERE),
-                 "plain.stl": to_text_stl(SPHERE),
-                 "vertices.ply": per_vertex + "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n"}
+                 "plain.stl": to_text_stl(SPHERE)}
         for name, content in plain.items():
             self.write(name, content)
             for option in ("--initial-cut", "--must-cut"):
@@ -149,6 +184,7 @@ class Seams(Case):
                "before.obj": text.replace("/1 ", "/-4 ", 1),
                "infinite.obj": text.replace("vt ", "vt inf 0 #", 1), "none.obj": text.replace("vt ", "vt # ", 1),
                "letters.obj": text.replace("vt ", "vt u ", 1),
+               "few.off": "STOFF 3 1 0\n0 0 0 0\n1 0 0 0 1\n0 1 0 1 1\n3 0 1 2\n",
                "few.ply": ply.replace("\n6 ", "\n5 ", 1), "infinite.ply": ply.replace("\n6 ", "\n6 inf ", 1)}
         for name, content in bad.items():
             self.write(name, content)

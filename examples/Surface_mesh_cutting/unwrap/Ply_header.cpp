@@ -1,6 +1,7 @@
 #include "Ply_header.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace {
 
@@ -53,6 +54,15 @@ std::string_view finish_line(std::string_view first_word, Text_scanner& scanner)
 }
 
 } // namespace
+
+std::vector<int> Ply_header::Element::find_point_uv() const
+{
+  const auto is_number = [&](int p) { return p >= 0 && !properties[std::size_t(p)].is_list; };
+  for(const auto& [u, v] : {std::pair("s", "t"), std::pair("u", "v"), std::pair("texture_u", "texture_v")})
+    if(is_number(find(u)) && is_number(find(v)))
+      return {find(u), find(v)};
+  return {};
+}
 
 int Ply_header::Element::find(std::string_view name_1, std::string_view name_2) const
 {

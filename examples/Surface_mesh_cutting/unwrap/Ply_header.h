@@ -31,6 +31,8 @@ struct Ply_header
 
     // The position of the first property that has one of the names, -1 if there is none.
     int find(std::string_view name_1, std::string_view name_2 = {}) const;
+    // The positions of the two texture coordinates of points, or nothing. Programs name them differently.
+    std::vector<int> find_point_uv() const;
     bool has_points() const { return name == "vertex" || name == "vertices"; }
     bool has_polygons() const { return name == "face" || name == "faces"; }
   };

@@ -16,8 +16,9 @@ struct Ply_source
   {
     IMAGE,               // the comment that names the file of the texture, if there is a new one
     FORMER_IMAGE,        // nothing, if there is a new one
-    PROPERTY,            // the line of the header that announces texture coordinates
-    TEXTURE_COORDINATES  // of the next polygon
+    POINT_UV,            // nothing: texture coordinates of points would contradict those of corners
+    PROPERTY,            // the line of the header that announces texture coordinates of corners
+    TEXTURE_COORDINATES  // of the corners of the next polygon
   };
 
   struct Place

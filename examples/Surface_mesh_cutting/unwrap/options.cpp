@@ -38,8 +38,8 @@ between them. From OBJ to OBJ and PLY to PLY, all else stays. Files appear when 
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
 of vertices, all counted from 0. For --must-cut and --initial-cut, uv stands for the seams of the
-texture coordinates in INPUT, the edges at which those of the two faces differ (OBJ with vt; PLY
-with a list texcoord of the faces).
+texture coordinates in INPUT, the edges at which those of the two faces differ (vt of OBJ,
+texcoord or s and t of PLY, TEXCOORD_0 of glTF, STOFF).
 
 Weights: what a cut costs, by default its length, times the factors of all --edge-weights given:
   crease          0.2 at sharp edges, up to 1 where the surface is flat

@@ -84,6 +84,13 @@ public:
     return m_accessor.componentType == component_type && m_accessor.type == type;
   }
 
+  // Of one of the component types that may stand for fractions.
+  bool has_fractions(int type) const
+  {
+    return is(TINYGLTF_COMPONENT_TYPE_FLOAT, type) || is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, type)
+           || is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, type);
+  }
+
   int index(std::size_t i) const
   {
     const std::string_view bytes = m_bytes.substr(i * m_stride);
@@ -96,12 +103,13 @@ public:
     fail("indices of triangles are not numbers without a sign");
   }
 
-  // The first three numbers of an element; whole ones are fractions of the largest.
-  Eigen::Vector3d vector(std::size_t i) const
+  // The first numbers of an element; whole ones are fractions of the largest.
+  template <int number>
+  Eigen::Matrix<double, number, 1> vector(std::size_t i) const
   {
     const std::string_view bytes = m_bytes.substr(i * m_stride);
-    Eigen::Vector3d result;
-    for(int k = 0; k < 3; ++k)
+    Eigen::Matrix<double, number, 1> result;
+    for(int k = 0; k < number; ++k)
       result[k] = m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT ? load<float>(bytes.substr(4 * k), false)
                 : m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
                     ? load<std::uint16_t>(bytes.substr(2 * k), false) / 65535.
@@ -145,6 +153,8 @@ std::vector<int> triangle_corners(const std::vector<int>& vertices, int mode)
   return corners;
 }
 
+std::optional<Polygon_soup::Texture_point> to_uv(const Eigen::Vector2d& uv) { return {{{uv.x(), uv.y()}}}; }
+
 // As a word of a line.
 std::string name_or(std::string name, const std::string& other)
 {
@@ -179,7 +189,7 @@ private:
   struct Vertices
   {
     Elements points;
-    std::optional<Elements> colors;
+    std::optional<Elements> colors, uvs;
     int first_normal; // -1 if there are none
     Eigen::Matrix4d transformation;
   };
@@ -229,6 +239,7 @@ private:
       say("usemtl " + name_or(at(m_model.materials, primitive.material, "material").name,
                               "material_" + std::to_string(primitive.material)));
     const Vertices vertices = {*points, find_colors(primitive, points->number()),
+                               find_uvs(primitive, points->number()),
                                add_normals(primitive, points->number(), transformation), transformation};
     const bool is_mirrored = transformation.topLeftCorner<3, 3>().determinant() < 0;
     const std::vector<int> corners = triangle_corners(vertices_of(primitive, points->number()), mode);
@@ -261,11 +272,16 @@ private:
     const std::optional<Elements> colors = find_attribute(primitive, "COLOR_0");
     if(!m_attributes.has_looks || !colors || colors->number() != number)
       return std::nullopt;
-    for(const int component : {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                               TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE})
-      if(colors->is(component, TINYGLTF_TYPE_VEC3) || colors->is(component, TINYGLTF_TYPE_VEC4))
-        return colors;
-    return std::nullopt;
+    return colors->has_fractions(TINYGLTF_TYPE_VEC3) || colors->has_fractions(TINYGLTF_TYPE_VEC4) ? colors
+                                                                                                   : std::nullopt;
+  }
+
+  std::optional<Elements> find_uvs(const tinygltf::Primitive& primitive, std::size_t number) const
+  {
+    const std::optional<Elements> uvs = find_attribute(primitive, "TEXCOORD_0");
+    const bool is_usable = m_attributes.has_uvs && uvs && uvs->number() == number
+                           && uvs->has_fractions(TINYGLTF_TYPE_VEC2);
+    return is_usable ? uvs : std::nullopt;
   }
 
   // Returns where they begin.
@@ -279,7 +295,7 @@ private:
     const Eigen::Matrix3d turn = transformation.topLeftCorner<3, 3>().inverse().transpose();
     for(std::size_t i = 0; i < number; ++i)
     {
-      const Eigen::Vector3d normal = (turn * normals->vector(i)).normalized();
+      const Eigen::Vector3d normal = (turn * normals->vector<3>(i)).normalized();
       m_soup.normals.push_back({{normal.x(), normal.y(), normal.z()}});
     }
     return first;
@@ -290,15 +306,17 @@ private:
     const std::size_t i = std::size_t(vertex);
     if(vertex < 0 || i >= vertices.points.number())
       fail("face " + std::to_string(m_soup.number_of_polygons()) + " refers to a vertex that its mesh does not have");
-    const Eigen::Vector3d p = (vertices.transformation * vertices.points.vector(i).homogeneous()).head<3>();
+    const Eigen::Vector3d p = (vertices.transformation * vertices.points.vector<3>(i).homogeneous()).head<3>();
     const std::size_t number_of_points = m_soup.points.size();
     m_merger.add_corner(p.x(), p.y(), p.z());
     if(vertices.colors && m_soup.points.size() > number_of_points)
     {
-      const Eigen::Vector3d color = vertices.colors->vector(i);
+      const Eigen::Vector3d color = vertices.colors->vector<3>(i);
       m_soup.colors.resize(number_of_points, white);
       m_soup.colors.push_back({{color.x(), color.y(), color.z()}});
     }
+    if(m_attributes.has_uvs)
+      m_soup.corner_uvs.push_back(vertices.uvs ? to_uv(vertices.uvs->vector<2>(i)) : std::nullopt);
     m_soup.corner_normals.push_back(vertices.first_normal < 0 ? -1 : vertices.first_normal + vertex);
   }
 

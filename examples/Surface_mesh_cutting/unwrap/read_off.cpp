@@ -1,6 +1,7 @@
 #include "Text_scanner.h"
 #include "mesh_file.h"
 #include "outcome.h"
+#include "point_uvs.h"
 #include "vertex_colors.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 // What a line has behind the coordinates of a point.
 struct Point_line
 {
-  bool has_normal = false, has_color = false;
+  bool has_normal = false, has_color = false, has_uv = false; // in this order
 };
 
 // Reads the word OFF with its prefixes. Files that start with the counts have been seen, too.
@@ -32,19 +33,36 @@ Point_line read_word_of_format(Text_scanner& scanner)
   if(scanner.word_in_line() == "BINARY")
     throw Failure(Exit_code::UNREADABLE, "binary OFF is not supported, use binary PLY");
   scanner = behind;
-  return {word.find('N') != std::string_view::npos, word.find('C') != std::string_view::npos};
+  const auto has = [&](std::string_view prefix) { return word.find(prefix) != std::string_view::npos; };
+  return {has("N"), has("C"), has("ST")};
 }
 
-void read_color_of(Point_line line, Text_scanner& scanner, Polygon_soup& soup)
+// The last two words of the line, since colors may be of three numbers or four.
+Polygon_soup::Texture_point read_uv(Text_scanner& scanner)
+{
+  std::string_view u, v;
+  for(std::string_view word = scanner.word_in_line(); !word.empty(); word = scanner.word_in_line())
+  {
+    u = v;
+    v = word;
+  }
+  return {{scanner.to_number(u), scanner.to_number(v)}};
+}
+
+void read_attributes(Point_line line, Text_scanner& scanner, Point_uvs& uvs, Polygon_soup& soup)
 {
   for(int i = 0; i < 3 && line.has_normal; ++i)
     scanner.word_in_line();
-  read_color(scanner, soup);
+  if(line.has_color)
+    read_color(scanner, soup);
+  if(line.has_uv)
+    uvs.push_back(read_uv(scanner));
 }
 
 // Without a line for each point, there is nothing but coordinates.
-void read_points(Text_scanner& scanner, int number, const std::optional<Point_line>& line, Polygon_soup& soup)
+Point_uvs read_points(Text_scanner& scanner, int number, const std::optional<Point_line>& line, Polygon_soup& soup)
 {
+  Point_uvs uvs;
   for(int i = 0; i < number; ++i)
   {
     const double x = scanner.number();
@@ -53,13 +71,13 @@ void read_points(Text_scanner& scanner, int number, const std::optional<Point_li
     soup.points.push_back({{x, y, z}});
     if(!line)
       continue;
-    if(line->has_color)
-      read_color_of(*line, scanner, soup);
+    read_attributes(*line, scanner, uvs, soup);
     scanner.skip_line(); // with what stands behind
   }
   if(!line)
     if(const std::string_view word = scanner.word_in_line(); !word.empty())
       scanner.fail("the end of the line", word);
+  return uvs;
 }
 
 Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line>& line)
@@ -74,7 +92,7 @@ Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line
   soup.points.reserve((std::min)(std::size_t(number_of_points), maximum));
   soup.polygon_ends.reserve((std::min)(std::size_t(number_of_polygons), maximum));
 
-  read_points(scanner, number_of_points, line, soup);
+  const Point_uvs uvs = read_points(scanner, number_of_points, line, soup);
   for(int i = 0; i < number_of_polygons; ++i)
   {
     const int size = scanner.index();
@@ -84,6 +102,8 @@ Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line
     scanner.skip_line();
   }
   complete_colors(soup);
+  if(!uvs.empty())
+    set_corner_uvs(uvs, soup);
   return soup;
 }
 
@@ -111,6 +131,7 @@ Polygon_soup read_off(std::string_view text, Attributes attributes)
   Text_scanner scanner(without_byte_order_mark(text));
   Point_line line = read_word_of_format(scanner);
   line.has_color = line.has_color && attributes.has_looks;
+  line.has_uv = line.has_uv && attributes.has_uvs;
   const Text_scanner behind_header = scanner;
   try
   {

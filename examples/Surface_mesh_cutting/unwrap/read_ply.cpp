@@ -4,6 +4,7 @@
 #include "byte_order.h"
 #include "mesh_file.h"
 #include "outcome.h"
+#include "point_uvs.h"
 
 #include <algorithm>
 #include <array>
@@ -106,7 +107,7 @@ double largest_color(Type type)
   return type == Type::FLOAT32 || type == Type::FLOAT64 ? 1 : type == Type::UINT16 ? 65535 : 255;
 }
 
-// What is read of a point: coordinates, then a normal, then a color.
+// What is read of a point: coordinates, then a normal, a color, and texture coordinates.
 struct Point_properties
 {
   Point_properties(const Element& element, Attributes attributes)
@@ -122,8 +123,19 @@ struct Point_properties
     };
     if(!find(0, "x") || !find(1, "y") || !find(2, "z"))
       throw Failure(Exit_code::UNREADABLE, "the points have no properties x, y, z");
-    if(!attributes.has_looks)
+    if(attributes.has_looks)
+      find_looks(find);
+    if(!attributes.has_uvs)
       return;
+    int slot = first_uv;
+    for(const int property : element.find_point_uv())
+      slots[std::size_t(property)] = slot++;
+    has_uvs = slot > first_uv;
+  }
+
+  template <typename Find>
+  void find_looks(Find find)
+  {
     const bool has_nx = find(3, "nx"), has_ny = find(4, "ny"), has_nz = find(5, "nz");
     has_normals = has_nx && has_ny && has_nz;
     has_colors = find(first_color, "red", "diffuse_red");
@@ -131,36 +143,82 @@ struct Point_properties
     find(first_color + 2, "blue", "diffuse_blue");
   }
 
-  static constexpr int first_color = 6;
+  static double scale(int slot, Type type)
+  {
+    return slot >= first_color && slot < first_uv ? largest_color(type) : 1;
+  }
+
+  static constexpr int first_color = 6, first_uv = 9, number_of_slots = 11;
 
   std::vector<int> slots; // per property, where in this order, -1 for nowhere
-  bool has_normals = false, has_colors = false;
+  bool has_normals = false, has_colors = false, has_uvs = false;
 };
 
-void read_points(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup)
+// Where values of a file are to be replaced; null if nobody asks.
+using Places = std::vector<Ply_source::Place>;
+
+// What the elements of points have.
+class Point_reader
 {
-  const Point_properties read(element, attributes);
-  soup.points.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
-  std::array<double, 9> numbers = {};
-  for(int i = 0; i < element.number; ++i)
+public:
+  Point_reader(Attributes attributes, Places* places, Polygon_soup& soup)
+    : m_attributes(attributes), m_places(places), m_soup(soup)
+  {}
+
+  void read(const Element& element, Values& values)
   {
-    for(std::size_t p = 0; p < element.properties.size(); ++p)
+    const Point_properties properties(element, m_attributes);
+    const std::vector<int> uv = m_places != nullptr ? element.find_point_uv() : std::vector<int>();
+    m_soup.points.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
+    for(int i = 0; i < element.number; ++i)
     {
-      const Property& property = element.properties[p];
-      const int slot = read.slots[p];
-      if(slot < 0)
-        skip(property, values);
-      else
-        numbers[std::size_t(slot)]
-          = values.next(property.type) / (slot < Point_properties::first_color ? 1 : largest_color(property.type));
+      for(int p = 0; p < int(element.properties.size()); ++p)
+      {
+        const std::size_t begin = p == 0 ? values.next_begin() : values.end();
+        read_value(element.properties[std::size_t(p)], properties.slots[std::size_t(p)], values);
+        if(std::find(uv.begin(), uv.end(), p) != uv.end())
+          m_places->push_back({begin, values.end(), Ply_source::Content::POINT_UV});
+      }
+      add_point(properties);
     }
-    soup.points.push_back({{numbers[0], numbers[1], numbers[2]}});
-    if(read.has_normals)
-      soup.normals.push_back({{numbers[3], numbers[4], numbers[5]}});
-    if(read.has_colors)
-      soup.colors.push_back({{numbers[6], numbers[7], numbers[8]}});
+    if(!m_uvs.empty())
+      m_uvs.resize(m_soup.points.size());
   }
-}
+
+  const Point_uvs& uvs() const { return m_uvs; }
+
+private:
+  void read_value(const Property& property, int slot, Values& values)
+  {
+    if(slot < 0)
+      skip(property, values);
+    else
+      m_numbers[std::size_t(slot)] = values.next(property.type) / Point_properties::scale(slot, property.type);
+  }
+
+  void add_point(const Point_properties& properties)
+  {
+    const auto three = [&](std::size_t first)
+    { return std::array<double, 3>{{m_numbers[first], m_numbers[first + 1], m_numbers[first + 2]}}; };
+    m_soup.points.push_back(three(0));
+    if(properties.has_normals)
+      m_soup.normals.push_back(three(3));
+    if(properties.has_colors)
+      m_soup.colors.push_back(three(Point_properties::first_color));
+    if(properties.has_uvs)
+    {
+      const std::size_t first = Point_properties::first_uv;
+      m_uvs.resize(m_soup.points.size());
+      m_uvs.back() = {{m_numbers[first], m_numbers[first + 1]}};
+    }
+  }
+
+  const Attributes m_attributes;
+  Places* const m_places;
+  Polygon_soup& m_soup;
+  Point_uvs m_uvs;
+  std::array<double, Point_properties::number_of_slots> m_numbers = {};
+};
 
 // What is given for each point must be given for all, also where there are several elements of points.
 void complete_point_attributes(Polygon_soup& soup)
@@ -192,10 +250,9 @@ std::vector<double> read_list(const Property& property, Values& values)
 // `texture` holds the two coordinates of each corner, or nothing.
 void add_uvs(const std::vector<double>& texture, int number_of_corners, Polygon_soup& soup)
 {
-  const bool is_finite = std::all_of(texture.begin(), texture.end(), [](double x) { return std::isfinite(x); });
-  if(!is_finite || (!texture.empty() && texture.size() != 2 * std::size_t(number_of_corners)))
+  if(!texture.empty() && texture.size() != 2 * std::size_t(number_of_corners))
     throw Failure(Exit_code::UNREADABLE, "face " + std::to_string(soup.number_of_polygons())
-                                           + " does not have two finite texture coordinates for each corner",
+                                           + " does not have two texture coordinates for each corner",
                   {Witness::Kind::FACES, {soup.number_of_polygons()}});
   for(std::size_t k = 0; k < std::size_t(number_of_corners); ++k)
     soup.corner_uvs.push_back(texture.empty() ? std::nullopt : std::make_optional<Polygon_soup::Texture_point>(
@@ -204,7 +261,7 @@ void add_uvs(const std::vector<double>& texture, int number_of_corners, Polygon_
 
 // `places` gets where the texture coordinates of each polygon are to be written, unless it is null.
 void read_polygons(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup,
-                   std::vector<Ply_source::Place>* places)
+                   Places* places)
 {
   const int indices = element.find("vertex_indices", "vertex_index"), uvs = element.find("texcoord");
   if(indices < 0 || !element.properties[std::size_t(indices)].is_list)
@@ -258,9 +315,14 @@ Ply_source make_source(const Ply_header& header, std::string_view bytes)
   for(const std::string_view line : header.image_lines)
     add(line, Content::FORMER_IMAGE);
   for(const Element& element : header.elements)
+  {
     if(const int uvs = element.find("texcoord"); element.has_polygons() && !element.properties.empty())
       add(uvs < 0 ? behind(element.properties.back().line) : element.properties[std::size_t(uvs)].line,
           Content::PROPERTY);
+    if(element.has_points())
+      for(const int property : element.find_point_uv())
+        add(element.properties[std::size_t(property)].line, Content::POINT_UV);
+  }
   std::sort(source.places.begin(), source.places.end(),
             [](const Ply_source::Place& a, const Ply_source::Place& b)
             { return std::make_pair(a.begin, a.end) < std::make_pair(b.begin, b.end); });
@@ -276,13 +338,15 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
   Values values(header.format, scanner, bytes);
   const std::shared_ptr<Ply_source> source
     = attributes.has_source ? std::make_shared<Ply_source>(make_source(header, bytes)) : nullptr;
+  Places* const places = source ? &source->places : nullptr;
   Polygon_soup soup;
+  Point_reader points(attributes, places, soup);
   for(const Element& element : header.elements)
   {
     if(element.has_points())
-      read_points(element, attributes, values, soup);
+      points.read(element, values);
     else if(element.has_polygons())
-      read_polygons(element, attributes, values, soup, source ? &source->places : nullptr);
+      read_polygons(element, attributes, values, soup, places);
     else if(element.name == "tristrips")
       throw Failure(Exit_code::UNREADABLE, "triangle strips are not supported");
     else
@@ -291,6 +355,9 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
           skip(property, values);
   }
   complete_point_attributes(soup);
+  const auto has_value = [](const auto& uv) { return uv.has_value(); };
+  if(!points.uvs().empty() && std::none_of(soup.corner_uvs.begin(), soup.corner_uvs.end(), has_value))
+    set_corner_uvs(points.uvs(), soup);
   soup.ply_source = source;
   return soup;
 }

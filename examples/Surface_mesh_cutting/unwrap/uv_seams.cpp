@@ -3,6 +3,9 @@
 #include "outcome.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
 
 namespace {
 
@@ -18,6 +21,22 @@ bool is_seam(const Polygon_soup& soup, const Surface& surface, Edge e)
   return uv(h) != uv(mesh.prev(o)) || uv(mesh.prev(h)) != uv(o);
 }
 
+bool is_finite(const Uv& uv) { return !uv || (std::isfinite((*uv)[0]) && std::isfinite((*uv)[1])); }
+
+void check_uvs(const Polygon_soup& soup)
+{
+  Witness witness = {Witness::Kind::FACES, {}};
+  for(int f = 0; f < soup.number_of_polygons(); ++f)
+  {
+    const auto first = soup.corner_uvs.begin() + std::ptrdiff_t(soup.first_corner(f));
+    if(!std::all_of(first, first + soup.number_of_corners(f), is_finite))
+      witness.indices.push_back(f);
+  }
+  if(!witness.indices.empty())
+    throw Failure(Exit_code::UNREADABLE, "texture coordinates that are not finite, first at face "
+                                           + std::to_string(witness.indices.front()), witness);
+}
+
 } // namespace
 
 std::vector<Edge> uv_seams(const std::string& option, const Polygon_soup& soup, const Surface& surface)
@@ -25,7 +44,8 @@ std::vector<Edge> uv_seams(const std::string& option, const Polygon_soup& soup, 
   const auto has_value = [](const Uv& uv) { return uv.has_value(); };
   if(std::none_of(soup.corner_uvs.begin(), soup.corner_uvs.end(), has_value))
     throw Failure(Exit_code::UNSUPPORTED, option + " uv: the input has no texture coordinates of the corners of faces "
-                                                   "(OBJ with vt; PLY with texcoord)");
+                                                   "(vt of OBJ, texcoord or s and t of PLY, TEXCOORD_0 of glTF, STOFF)");
+  check_uvs(soup);
   std::vector<Edge> seams;
   for(const Edge e : surface.mesh.edges())
     if(is_seam(soup, surface, e))
