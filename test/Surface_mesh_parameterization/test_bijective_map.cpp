@@ -203,8 +203,6 @@ void check_refinement(const Test_surface& surface)
   }
 }
 
-// A ramp of some turns: laid flat without distortion, it covers its own start. With holes if asked
-// for.
 // A slit along a random walk from the border that does not meet itself. Its sides come apart; what else there is stays.
 void check_opening(Test_surface surface, CGAL::Random& random)
 {
@@ -250,6 +248,8 @@ void check_opening(Test_surface surface, CGAL::Random& random)
   check_scaffold(chart, uv);
 }
 
+// A ramp of some turns: laid flat without distortion, it covers its own start. With holes if asked
+// for.
 Test_surface make_ramp(int length, int width, double turns, CGAL::Random& random, bool has_holes)
 {
   return make_grid_surface(length, width, random,

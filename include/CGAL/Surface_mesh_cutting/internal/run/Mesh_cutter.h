@@ -77,8 +77,7 @@ public:
     result.has_result = true;
     if(output == Output_kind::MAP)
     {
-      if(components.size() > 1)
-        lay_side_by_side(components, result);
+      lay_side_by_side(result);
       certify(result);
     }
     return result;
@@ -229,24 +228,28 @@ private:
         result.uv[result.chart.triangles()[component.faces[f]][k]] = part.uv[part.chart.triangles()[f][k]];
   }
 
-  // Moves the charts of the components apart: rows of about the width of a square that holds all,
-  // charts in the order of their heights.
-  void lay_side_by_side(const std::vector<Indexed_component>& components, Mesh_result& result) const
+  // Moves several charts apart: rows of about the width of a square that holds all, charts in the order of their heights.
+  static void lay_side_by_side(Mesh_result& result)
   {
+    const Connected_parts parts(result.chart.opposites());
+    if(parts.number == 1)
+      return;
+    std::vector<int> part(result.uv.size(), -1); // of each vertex
+    for(int h = 0; h < int(result.chart.opposites().size()); ++h)
+      part[result.chart.source(h)] = parts.part[h / 3];
     using Box = Surface_mesh_parameterization::internal::Bounding_box<2>;
-    std::vector<Box> boxes(components.size());
-    std::vector<std::pair<double, int> > order; // height, downwards, and component
+    std::vector<Box> boxes(parts.number);
+    for(std::size_t v = 0; v < part.size(); ++v)
+      if(part[v] >= 0)
+        boxes[part[v]].add(result.uv[v]);
+    std::vector<std::pair<double, int> > order; // height, downwards, and part
     double area = 0, widest = 0;
-    for(std::size_t i = 0; i < components.size(); ++i)
+    for(int i = 0; i < parts.number; ++i)
     {
-      Box& box = boxes[i];
-      for(int f : components[i].faces)
-        for(int v : result.chart.triangles()[f])
-          box.add(result.uv[v]);
-      const Eigen::Vector2d size = box.size();
+      const Eigen::Vector2d size = boxes[i].size();
       area += size.x() * size.y();
       widest = (std::max)(widest, size.x());
-      order.emplace_back(-size.y(), int(i));
+      order.emplace_back(-size.y(), i);
     }
     std::sort(order.begin(), order.end());
     constexpr double gap_share = 0.02;  // between charts, of the side of a square of their area: visible
@@ -254,7 +257,7 @@ private:
     const double side = std::sqrt(area), gap = gap_share * side, width = (std::max)(widest, width_share * side);
     Eigen::Vector2d corner(0, 0);
     double row_height = 0;
-    std::vector<char> is_moved(result.uv.size(), 0);
+    std::vector<Eigen::Vector2d> shifts(parts.number);
     for(const auto& [height, i] : order)
     {
       const Eigen::Vector2d size = boxes[i].size();
@@ -263,13 +266,13 @@ private:
         corner = Eigen::Vector2d(0, corner.y() + row_height + gap);
         row_height = 0;
       }
-      for(int f : components[i].faces)
-        for(int v : result.chart.triangles()[f])
-          if(!std::exchange(is_moved[v], char(1)))
-            result.uv[v] += corner - boxes[i].low;
+      shifts[i] = corner - boxes[i].low;
       corner.x() += size.x() + gap;
       row_height = (std::max)(row_height, size.y());
     }
+    for(std::size_t v = 0; v < part.size(); ++v)
+      if(part[v] >= 0)
+        result.uv[v] += shifts[part[v]];
   }
 
   // Measures the map as the caller's map will hold it and proves it free of flips and, if asked for, of overlaps; a

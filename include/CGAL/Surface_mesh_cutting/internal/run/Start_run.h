@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
 
 #include <algorithm>
@@ -153,7 +154,11 @@ private:
     if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
       tighten(refiner, repair_threshold, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective)
+    {
       relieve(refiner.cut().chart(), bound, result);
+      if(result.energy > bound && refiner.cut().chart().energy <= bound)
+        divide(refiner, result);
+    }
     if(result.status && result.energy > bound)
       result.status = bound_missed();
   }
@@ -209,13 +214,21 @@ private:
   void parameterize(const Refiner& refiner, Component_result& result) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    result.chart = refiner.cut().chart().chart;
-    const Newton_result newton = final_map(m_problem, refiner.cut().chart(), m_context, result.uv);
-    result.energy = newton.energy;
-    result.has_map = newton.outcome != Newton_outcome::FAILED;
-    constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
-    if(m_parameters.do_bijective && !m_parameters.use_published_method && !has_bound(m_parameters))
-      relieve(refiner.cut().chart(), refiner.cut().chart().energy + tolerance, result);
+    const Open_chart& running = refiner.cut().chart();
+    if(!divide_at_once(refiner, result))
+    {
+      result.chart = running.chart;
+      const Newton_result newton = final_map(m_problem, running, m_context, result.uv);
+      result.energy = newton.energy;
+      result.has_map = newton.outcome != Newton_outcome::FAILED;
+      if(m_parameters.do_bijective && !m_parameters.use_published_method && !has_bound(m_parameters))
+      {
+        constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
+        relieve(running, running.energy + tolerance, result);
+        if(!result.has_map || result.energy > running.energy + tolerance)
+          divide(refiner, result);
+      }
+    }
     if(!result.has_map || m_control.is_stopped())
       result.status = failure(m_control);
     m_control.report(Phase::PARAMETERIZE, 1);
@@ -238,6 +251,43 @@ private:
     result.chart = std::move(cut.chart);
     result.uv = std::move(cut.uv);
     result.energy = cut.energy;
+  }
+
+  // Where a map overlaps itself all over, nobody needs to try the map of a single chart.
+  bool divide_at_once(const Refiner& refiner, Component_result& result) const
+  {
+    constexpr int many = 16; // parts
+    if(!m_parameters.do_bijective || m_parameters.use_published_method)
+      return false;
+    const Chart_division division(m_problem, refiner.cut().chart());
+    if(!division.is_complete() || division.number_of_parts() < many)
+      return false;
+    result.has_map = false;
+    divide(refiner, result);
+    return result.has_map;
+  }
+
+  // Replaces a map without overlaps by the running one, divided into several charts, where that is worth the longer cut.
+  void divide(const Refiner& refiner, Component_result& result) const
+  {
+    const Open_chart& running = refiner.cut().chart();
+    Cutting_parameters overlapping = m_parameters;
+    overlapping.do_bijective = false;
+    Open_chart chart = running;
+    const Newton_result newton
+      = final_map(m_problem, running, Context{overlapping, m_control, m_context.clock}, chart.uv);
+    const Chart_division division(m_problem, chart);
+    if(newton.outcome == Newton_outcome::FAILED || !division.is_complete())
+      return;
+    const double cost = cut_cost(m_problem.constraints, division.cut());
+    if(result.has_map && !has_bound(m_parameters) &&
+       result.energy - newton.energy < m_parameters.decrease_per_cost * (cost - result.cost))
+      return;
+    result.has_map = true;
+    take_cut(refiner, division.cut(), result);
+    result.chart = make_chart(m_problem.mesh, result.cut);
+    result.uv = division.uv(result.chart);
+    result.energy = newton.energy;
   }
 
   const Problem& m_problem;

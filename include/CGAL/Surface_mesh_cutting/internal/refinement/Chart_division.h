@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_CHART_DIVISION_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_CHART_DIVISION_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_bisection.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Divides a disk whose flip-free map overlaps itself into disks whose maps do not: each keeps the map that it has. This
+// is what remains where the plane has no room, as for a ramp that winds around several times. First, parts that overlap
+// themselves are bisected until none does; then those that do not overlap each other are joined again, across the most
+// expensive seams first.
+class Chart_division
+{
+public:
+  // The references are kept.
+  Chart_division(const Problem& problem, const Open_chart& overlapping)
+    : m_problem(problem), m_overlapping(overlapping), m_cut(overlapping.cut)
+  {
+    m_is_complete = bisect_all();
+    if(m_is_complete)
+      join();
+  }
+
+  // False if edges that must not be cut leave no way to divide the disk.
+  bool is_complete() const { return m_is_complete; }
+
+  // The cut with the seams between the parts.
+  const Cut& cut() const { return m_cut; }
+  int number_of_parts() const { return m_number_of_parts; }
+
+  // The map on the chart that the cut leaves, whose parts lie where they did.
+  std::vector<Eigen::Vector2d> uv(const Corner_table& chart) const
+  {
+    std::vector<Eigen::Vector2d> result(chart.number_of_vertices());
+    for(int h = 0; h < int(chart.opposites().size()); ++h)
+      result[chart.source(h)] = m_overlapping.uv[m_overlapping.chart.source(h)];
+    return result;
+  }
+
+private:
+  // A run of edges between the same two parts.
+  struct Seam
+  {
+    double cost = 0;
+    std::pair<int, int> parts;
+    std::vector<int> edges;
+  };
+
+  // Each path ends on the border of the part that it divides, so that all parts are disks.
+  bool bisect_all()
+  {
+    std::vector<Indexed_component> parts = split_along(m_problem.mesh, m_cut);
+    while(!parts.empty())
+    {
+      const Indexed_component part = std::move(parts.back());
+      parts.pop_back();
+      const Chart_bisection bisection(part.mesh, costs_of(part), uv_of(part));
+      if(!bisection.is_needed())
+        continue;
+      if(bisection.path().empty())
+        return false;
+      std::vector<int> path;
+      for(int e : bisection.path())
+        path.push_back(part.edges[e]);
+      for(int e : path)
+        m_cut[e] = 1;
+      m_paths.push_back(std::move(path));
+      for(Indexed_component& half : split_along(part.mesh, make_cut(part.mesh, bisection.path())))
+        parts.push_back(in_whole(std::move(half), part));
+    }
+    return true;
+  }
+
+  static Indexed_component in_whole(Indexed_component half, const Indexed_component& part)
+  {
+    for(int& f : half.faces)
+      f = part.faces[f];
+    for(int& e : half.edges)
+      e = part.edges[e];
+    return half;
+  }
+
+  std::vector<double> costs_of(const Indexed_component& part) const
+  {
+    std::vector<double> costs;
+    for(int e : part.edges)
+      costs.push_back(m_problem.constraints.weights[e]);
+    return costs;
+  }
+
+  std::vector<Eigen::Vector2d> uv_of(const Indexed_component& part) const
+  {
+    std::vector<Eigen::Vector2d> uv(part.mesh.number_of_vertices());
+    for(int h = 0; h < part.mesh.number_of_halfedges(); ++h)
+      uv[part.mesh.source(h)] = m_overlapping.uv[m_overlapping.chart.source(3 * part.faces[h / 3] + h % 3)];
+    return uv;
+  }
+
+  // Two disks become one along a seam; more seams between them stay closed, as they surround others. Parts that do not
+  // overlap in pairs do not overlap together.
+  void join()
+  {
+    const Corner_table chart = make_chart(m_problem.mesh, m_cut);
+    const Connected_parts parts(chart.opposites());
+    m_number_of_parts = parts.number;
+    std::vector<std::set<int> > overlapped = overlapping_parts(chart, parts);
+    CGAL::internal::Graph_kernel::Disjoint_sets groups(parts.number);
+    for(const Seam& seam : seams(parts))
+    {
+      const int a = groups.find(seam.parts.first), b = groups.find(seam.parts.second);
+      if(a == b || overlapped[a].count(b) > 0)
+        continue;
+      groups.unite(a, b);
+      const int joined = groups.find(a), other = joined == a ? b : a;
+      for(int part : overlapped[other])
+      {
+        overlapped[part].erase(other);
+        overlapped[part].insert(joined);
+        overlapped[joined].insert(part);
+      }
+      for(int e : seam.edges)
+        m_cut[e] = 0;
+      --m_number_of_parts;
+    }
+  }
+
+  // For each part, those that it overlaps.
+  std::vector<std::set<int> > overlapping_parts(const Corner_table& chart, const Connected_parts& parts) const
+  {
+    const Surface_mesh_parameterization::internal::Border_overlaps overlaps(chart, parts, uv(chart));
+    std::vector<std::set<int> > result(parts.number);
+    const auto add = [&](int a, int b)
+    {
+      result[a].insert(b);
+      result[b].insert(a);
+    };
+    for(const auto& [g, h] : overlaps.crossings())
+      add(parts.part[g / 3], parts.part[h / 3]);
+    for(const auto& [inner, outer] : overlaps.containments())
+      add(inner, outer);
+    return result;
+  }
+
+  // The most expensive first.
+  std::vector<Seam> seams(const Connected_parts& parts) const
+  {
+    std::vector<Seam> result;
+    for(const std::vector<int>& path : m_paths)
+      for(std::size_t i = 0; i < path.size(); ++i)
+      {
+        const int h = m_problem.mesh.halfedge(path[i]);
+        const std::pair<int, int> sides = std::minmax(parts.part[h / 3], parts.part[m_problem.mesh.opposite(h) / 3]);
+        if(i == 0 || result.back().parts != sides)
+          result.push_back({0, sides, {}});
+        result.back().cost += m_problem.constraints.weights[path[i]];
+        result.back().edges.push_back(path[i]);
+      }
+    std::stable_sort(result.begin(), result.end(), [](const Seam& s, const Seam& t) { return s.cost > t.cost; });
+    return result;
+  }
+
+  const Problem& m_problem;
+  const Open_chart& m_overlapping;
+  Cut m_cut;
+  std::vector<std::vector<int> > m_paths; // along which parts were bisected
+  int m_number_of_parts = 1;
+  bool m_is_complete = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_CHART_DIVISION_H
