@@ -3,12 +3,14 @@
 usage: figures.py PROGRAMS MESHES WORK_FOLDER OUTPUT_FOLDER [FIGURE...]
 """
 
+import json
 import subprocess
 import sys
 from pathlib import Path
 
+import soups
 from mesh_files import Surface, read_off, write_selection
-from scene import BLUE, GREEN, RED, Cell, draw_layout, draw_surface, render
+from scene import BLUE, GREEN, RED, YELLOW, Cell, draw_faces, draw_layout, draw_surface, render
 
 CAMEL = (0.45, 0, 1), (-0.1, 1, 0.045)
 COW = (1, 0, -0.45), (0.1, 1, 0.25)
@@ -121,13 +123,37 @@ class Figures:
             objects += draw_layout(self.unwrap("homer", "--effort", "fast", *options), Cell(390 * i, 0, 370, 370))
         return 760, 370, objects
 
+    def interpretation(self):
+        """above what is read, with what needs an interpretation, below the layout"""
+        objects = []
+        for i, (soup, axes) in enumerate((
+                (soups.saddle(), ((1, 0.5, 0), (0, 0.4, 1))), (soups.sheets(), ((1, -0.6, 0), (0.2, 0.3, 1))),
+                (soups.cones(), ((1, 0, 0), (0, 0.3, 1))), (soups.turned(), ((1, 0, 0), (0, 0.3, 1))),
+                (soups.strip(), ((1, 0.3, 0), (0, 0.7, 1))), (soups.pieces(), ((-1, -0.7, 0), (0.2, -0.2, 1))))):
+            file, out, cut = (self.work / f"soup{end}" for end in (".off", ".obj", ".cut.obj"))
+            soups.write_off(file, soup)
+            report = subprocess.run([self.programs / "unwrap", file, "-o", out, "--obj-cut", cut, "--uv-scale", "surface",
+                                     "--quiet", "--json", "-"], check=True, stdout=subprocess.PIPE).stdout
+            read = {entry["what"]: entry["elements"] for entry in json.loads(report)["interpreted"]}
+            points, faces = soup
+            ends = lambda name: [(points[a], points[b]) for a, b in read.get(name, [])]
+            sides = [(points[a], points[b]) for f in faces for a, b in zip(f, (*f[1:], f[0]))]
+            surface, cell = Surface(out, cut), Cell(200 * i, 170, 200, 190)
+            objects += draw_surface(surface, cell, axes, cut=False, points=False, line=0.7, lines=[
+                ((120, 120, 120), sides), (RED, surface.cut),
+                (GREEN, ends("non_manifold_edges") + ends("non_orientable_edges"))], marks=[
+                (YELLOW, [points[v] for v in read.get("non_manifold_vertices", [])])])
+            objects += draw_faces(surface, cell, axes, [faces[f] for f in read.get("reoriented_faces", [])], BLUE)
+            objects += draw_layout(surface, Cell(200 * i, 0, 200, 160))
+        return 1200, 360, objects
+
     def make(self, name):
         render(self.output / f"{name}.png", *getattr(self, name)())
         print("made", self.output / f"{name}.png")
 
 
 ALL = ["introduction", "overview", "method", "distortion_bound", "connection", "constraints", "weights", "topology",
-       "bijective"]
+       "bijective", "interpretation"]
 
 
 def main():

@@ -4,7 +4,8 @@ import math
 
 
 class Surface:
-    """A triangle mesh with texture coordinates, the marked edges and the feature points."""
+    """A triangle mesh with texture coordinates, the marked edges and the feature points. Convex polygons become
+    triangles."""
 
     def __init__(self, mesh_file, cut_file=None):
         self.points, self.uvs, self.faces, self.uv_faces = [], [], [], []
@@ -15,8 +16,9 @@ class Surface:
                 self.uvs.append(tuple(map(float, rest[:2])))
             elif word == "f":
                 corners = [[int(i) - 1 for i in corner.split("/")] for corner in rest]
-                self.faces.append([corner[0] for corner in corners])
-                self.uv_faces.append([corner[1] for corner in corners])
+                for triangle in ([corners[0], *corners[k:k + 2]] for k in range(1, len(corners) - 1)):
+                    self.faces.append([corner[0] for corner in triangle])
+                    self.uv_faces.append([corner[1] for corner in triangle])
         self.cut, self.features = [], []  # of points
         if cut_file:
             self._read_cut(cut_file)
@@ -44,8 +46,8 @@ class Surface:
         borders = {}
         for face in self.uv_faces:
             for k in range(3):
-                a, b = face[k], face[(k + 1) % 3]
-                if borders.pop((b, a), None) is None:
+                a, b = sorted((face[k], face[(k + 1) % 3]))
+                if borders.pop((a, b), None) is None:
                     borders[a, b] = (self.uvs[a], self.uvs[b])
         return list(borders.values())
 

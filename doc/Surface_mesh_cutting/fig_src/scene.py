@@ -61,6 +61,16 @@ def draw_surface(surface, cell, axes, checker=False, cut=True, points=True, line
             yield f"sphere {{ {at(center)}, {dot} pigment {{ {_color(color)} }} {LIT} }}"
 
 
+def draw_faces(surface, cell, axes, faces, color):
+    """some of its faces, thicker than the surface"""
+    turn = _rotation(axes)
+    _, place = cell.place([turn(p) for p in surface.points])
+    for face in faces:
+        yield from (f"triangle {{ {', '.join(_vector(_flip(place(turn(surface.points[v])))) for v in corners)} "
+                    f"pigment {{ {_color(color)} }} {LIT} translate <0, 0, -0.5> }}"
+                    for corners in ([face[0], *face[k:k + 2]] for k in range(1, len(face) - 1)))
+
+
 def draw_layout(surface, cell, line=0.7):
     """colored by distortion"""
     angle = _best_angle(surface.uvs, cell)
