@@ -20,6 +20,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -253,14 +256,19 @@ private:
     result.energy = cut.energy;
   }
 
-  // Where a map overlaps itself all over, nobody needs to try the map of a single chart.
+  // Where a map lies in so many layers, nobody needs to try one in one piece: at best, it would be distorted beyond use.
   bool divide_at_once(const Refiner& refiner, Component_result& result) const
   {
-    constexpr int many = 16; // parts
+    constexpr double layers = 2; // on average over the box around it
     if(!m_parameters.do_bijective || m_parameters.use_published_method)
       return false;
-    const Chart_division division(m_problem, refiner.cut().chart());
-    if(!division.is_complete() || division.number_of_parts() < many)
+    const Open_chart& running = refiner.cut().chart();
+    Surface_mesh_parameterization::internal::Bounding_box<2> box;
+    for(const Eigen::Vector2d& p : running.uv)
+      box.add(p);
+    const Eigen::Vector2d size = box.size();
+    if(Surface_mesh_parameterization::internal::chart_area(running.chart.triangles(), running.uv)
+       < layers * size.x() * size.y())
       return false;
     result.has_map = false;
     divide(refiner, result);
