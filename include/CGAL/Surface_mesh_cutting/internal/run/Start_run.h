@@ -94,8 +94,11 @@ private:
     return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
   }
 
-  // A coarser version showed where ends belong; a whole cut to one disk has too many.
-  bool moves_ends() const { return !m_is_coarsened && !m_problem.is_opened && !m_problem.has_many_handles; }
+  // A coarser version showed about where ends belong; a whole cut to one disk has too many.
+  int rounds_of_moved_ends() const
+  {
+    return m_problem.is_opened || m_problem.has_many_handles ? 0 : m_is_coarsened ? 1 : 3;
+  }
 
   int number_of_solves() const
   {
@@ -149,7 +152,7 @@ private:
                                Component_result& result) const
   {
     const double bound = m_parameters.maximum_average_distortion;
-    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves, false, moves_ends()}, result);
+    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves, false, rounds_of_moved_ends()}, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
     {
       const double cost_with_overlaps = result.cost;
