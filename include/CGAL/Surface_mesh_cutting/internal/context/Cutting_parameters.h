@@ -56,6 +56,7 @@ struct Cutting_parameters
   int number_of_combinations = 0;      // of what starts find, at most
   bool runs_all_efforts = false;       // also the smaller ones; the best result is returned
   bool moves_ends = false;             // where features are found, of a cut at a bound
+  bool opens_slits_first = false;      // where a map without overlaps misses a bound, before the running map goes below
   int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
   int number_of_shortening_solves = 0; // at most, where features are found
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer

@@ -140,7 +140,7 @@ public:
 
   // Moves ends of a cut that keeps the bound, by large steps and by small ones. The cut keeps the bound afterwards, too,
   // and costs no more than before.
-  void move_ends_at_bound(bool keeps_tree)
+  void move_ends_at_bound(bool keeps_tree, int maximum_number_of_rounds)
   {
     constexpr double steps[] = {0.15, 0.05, 0.1}; // of the length of the cut
     constexpr double tolerance = 0.01;            // of the energy, between two rounds
@@ -149,10 +149,10 @@ public:
     Mapped_cut best = m_cut.state();
     End_search<ConcurrencyTag> search(m_problem, m_parameters, keeps_tree, m_cut);
     search.drop_inner_features();
-    int number_of_failures = 0;
+    int number_of_failures = 0, number_of_rounds = 0;
     for(double step : steps)
     {
-      if(number_of_failures == patience)
+      if(number_of_failures == patience || number_of_rounds++ == maximum_number_of_rounds)
         break;
       search.move_ends(step);
       const bool is_far = m_cut.energy() > bound + tolerance;

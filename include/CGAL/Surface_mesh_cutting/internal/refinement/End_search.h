@@ -53,11 +53,10 @@ public:
   // Once for each branch, the most expensive first, of which at most such a share of the whole cut is closed.
   void move_ends(double share)
   {
-    constexpr int maximum_number_of_ends = 40;
     std::vector<char> is_done(m_mesh.number_of_vertices(), 0);
     for(int v : m_terminals)
       is_done[v] = 1;
-    for(int i = 0; i < maximum_number_of_ends && m_cut.goes_on(); ++i)
+    for(int i = 0; i < maximum_number_of_ends() && m_cut.goes_on(); ++i)
     {
       const Branch_removal part
         = m_removals.most_expensive_part(m_cut.cut(), m_cut.features(), is_done, share * m_cut.cost());
@@ -92,10 +91,17 @@ public:
   }
 
 private:
+  // Each takes solves of the whole surface: fewer on large ones, and none on the largest.
+  int maximum_number_of_ends() const
+  {
+    constexpr int enough_ends = 40, enough_faces = 250000;
+    return (std::min)(enough_ends, enough_faces / m_mesh.number_of_faces());
+  }
+
   // That are no terminals, up to a limit: each takes another tree.
   std::vector<int> inner_features() const
   {
-    constexpr std::size_t maximum_number_of_trees = 20;
+    const std::size_t maximum_number_of_trees = maximum_number_of_ends() / 2;
     const std::vector<int> degrees = cut_degrees(m_mesh, m_cut.cut());
     std::vector<int> inner;
     for(int v : m_cut.features())

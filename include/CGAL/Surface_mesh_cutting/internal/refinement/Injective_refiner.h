@@ -48,7 +48,8 @@ struct Injective_cut
 
 // Opens slits in maps without overlaps. Where parts of a chart are in each other's way, the map is more distorted than
 // one that may overlap: a slit lets them turn aside. Windows around a slit do not show that, since what turns is
-// outside; every slit that is tried is opened, and the chart solved with its scaffold.
+// outside; every slit that is tried is opened, and the chart solved with its scaffold. Yet windows show which slits are
+// cheap for what they gain in any case.
 class Injective_refiner
 {
 public:
@@ -97,11 +98,16 @@ private:
   // much less than the sum of their gains.
   bool open_all(const std::vector<Trial>& trials, Injective_cut& cut)
   {
-    constexpr double share = 0.8; // of that sum
+    constexpr double share = 0.8;      // of that sum
+    constexpr double least_gain = 0.5; // per cost, relative to the best: with others opened, better ones are found
+    const double least_gain_per_cost
+      = m_context.parameters.opens_slits_first ? least_gain * trials.front().slit.gain_per_cost() : 0;
     std::vector<int> edges, tips = cut.tips;
     double gain = 0;
     for(const Trial& t : trials)
     {
+      if(t.slit.gain_per_cost() < least_gain_per_cost)
+        continue;
       edges.insert(edges.end(), t.slit.edges.begin(), t.slit.edges.end());
       tips.push_back(t.slit.tip);
       gain += t.slit.gain;
@@ -139,7 +145,8 @@ private:
     return trials;
   }
 
-  // To where the map is worse than the overlapping one, and to where it is bad; the cheapest first.
+  // To where the map is worse than the overlapping one, to where it is bad, and where windows gain most for the cost;
+  // the cheapest first.
   std::vector<Slit> proposals(const Injective_cut& cut)
   {
     constexpr std::size_t number_of_each = 2;
@@ -148,10 +155,37 @@ private:
     for(std::size_t v = 0; v < excess.size(); ++v)
       excess[v] += Symmetric_Dirichlet_energy::ideal - m_reference[v];
     std::vector<Slit> slits = m_slits.proposals(cut.cut, excess, m_is_excluded, number_of_each);
-    for(Slit& slit : m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each))
+    add(m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each), slits);
+    if(m_context.parameters.opens_slits_first)
+      add(best_by_windows(cut, distortion), slits);
+    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b) { return a.cost < b.cost; });
+    return slits;
+  }
+
+  static void add(std::vector<Slit> others, std::vector<Slit>& slits)
+  {
+    for(Slit& slit : others)
       if(std::none_of(slits.begin(), slits.end(), [&](const Slit& other) { return other.tip == slit.tip; }))
         slits.push_back(std::move(slit));
-    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b) { return a.cost < b.cost; });
+  }
+
+  std::vector<Slit> best_by_windows(const Injective_cut& cut, const std::vector<double>& distortion)
+  {
+    constexpr std::size_t number_of_windows = 12, number_of_slits = 4;
+    Incremental_parameterization map(m_problem.mesh, m_problem.shapes, mapping_policy(m_context.parameters),
+                                     m_context.control);
+    Open_chart chart;
+    chart.cut = cut.cut;
+    chart.chart = cut.chart;
+    chart.uv = cut.uv;
+    chart.energy = cut.energy;
+    map.restore(std::move(chart));
+    std::vector<Slit> slits = m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_windows);
+    for(Slit& slit : slits)
+      slit.gain = map.estimate_gain(slit.edges);
+    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b)
+                     { return a.gain_per_cost() > b.gain_per_cost(); });
+    slits.resize((std::min)(slits.size(), number_of_slits));
     return slits;
   }
 

@@ -35,7 +35,7 @@ struct Refinement_goal
   double repair_threshold; // see `Detected_features`; without a bound
   int number_of_solves;    // at most, for shortening
   bool keeps_tree = false; // see `Refinement_limits`
-  bool moves_ends = false; // if the parameters say so, too
+  int rounds_of_moved_ends = 0; // at most, if the parameters say that ends move
   double least_limit = 0;  // of the energy, without a bound: so much is allowed in any case
 };
 
@@ -71,12 +71,14 @@ void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, c
   }
   if(parameters.has_weights && goal.number_of_solves > 0)
     use_cheap_places(refiner, limits, parameters.decrease_per_cost);
-  if(goal.moves_ends && parameters.moves_ends && refiner.cut().energy() <= goal.bound)
+  if(goal.rounds_of_moved_ends > 0 && parameters.moves_ends && refiner.cut().energy() <= goal.bound)
   {
-    constexpr int share = 3; // of the solves, before and after; moving ends takes the rest
+    constexpr int share = 3;        // of the solves, before and after; moving ends takes the rest
+    constexpr int least_solves = 8; // after: moved ends leave some room below the bound
     limits.number_of_solves /= share;
     refiner.shorten(limits);
-    refiner.move_ends_at_bound(goal.keeps_tree);
+    refiner.move_ends_at_bound(goal.keeps_tree, goal.rounds_of_moved_ends);
+    limits.number_of_solves = (std::max)(limits.number_of_solves, least_solves);
   }
   refiner.shorten(limits);
 }

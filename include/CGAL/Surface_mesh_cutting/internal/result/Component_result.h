@@ -34,6 +34,7 @@ struct Component_result
   std::vector<int> features;
   Cut cut;
   double length = 0, cost = 0, lower_bound = 0;
+  double cost_of_room = 0; // the part of the cost without which the map would miss a bound, or overlap
   bool is_optimal = false;
   Corner_table chart;
   std::vector<Eigen::Vector2d> uv;

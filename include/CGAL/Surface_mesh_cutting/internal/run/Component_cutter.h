@@ -56,12 +56,13 @@ public:
     return result;
   }
 
-  // Runs as often as the effort says, and on where a bound was missed; the best result is returned, with the cuts that
-  // any run has seen.
+  // Runs as often as the effort says, and on where a bound was missed or takes too much; the best result is returned,
+  // with the cuts that any run has seen.
   Component_result run(bool needs_uv)
   {
     const bool has_seeds = m_problem.is_sphere && !m_problem.initial.is_given(); // that lead to other first cuts
     std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
+    const std::vector<unsigned int> seeds = seeds_of_runs(m_context.parameters, has_seeds);
     Component_result failed;
     failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!failed.status)
@@ -78,6 +79,11 @@ public:
       if(runs.size() == 1 && goes_on_after(results))
         for(const Cutting_parameters& further : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
           runs.push_back(further);
+      if(runs.size() < seeds.size() && lacks_room(results))
+      {
+        runs.push_back(m_context.parameters);
+        runs.back().random_seed = seeds[runs.size() - 1];
+      }
     }
     if(results.empty())
     {
@@ -95,6 +101,16 @@ private:
     return has_bound(m_context.parameters) && !m_context.parameters.use_published_method &&
            m_problem.mesh.number_of_faces() <= largest && !results.empty() &&
            results.front().has_map && results.front().energy > m_context.parameters.maximum_average_distortion;
+  }
+
+  // Where it takes much of the cut to keep parts of the chart out of each other's way, a start that leads to another chart
+  // may need far less.
+  bool lacks_room(const std::vector<Component_result>& results) const
+  {
+    constexpr double much = 0.1; // of the cost
+    return m_context.parameters.opens_slits_first &&
+           std::all_of(results.begin(), results.end(),
+                       [](const Component_result& r) { return r.cost_of_room > much * r.cost; });
   }
 
   Component_result best_of(std::vector<Component_result>& results) const

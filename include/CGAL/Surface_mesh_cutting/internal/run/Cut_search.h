@@ -164,11 +164,11 @@ private:
     const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
     m_control.report(Phase::REFINE, 0);
     const double least_limit = found.front().energy + exchange_parameters().minimum_distortion_decrease;
-    constexpr bool moves_ends = false;
+    constexpr int rounds_of_moved_ends = 0;
     const auto limited = [&](int number_of_solves)
     {
       return Refinement_goal{m_parameters.maximum_average_distortion, result.repair_threshold, number_of_solves,
-                             m_keeps_tree, moves_ends, least_limit};
+                             m_keeps_tree, rounds_of_moved_ends, least_limit};
     };
     Found best = refined_best(found, limited, result.trade_offs);
     const std::size_t last = (std::min)(found.size(), std::size_t(m_parameters.number_of_combinations + 1));

@@ -98,8 +98,11 @@ private:
     return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
   }
 
-  // A coarser version showed where ends belong; a whole cut to one disk has too many.
-  bool moves_ends() const { return !m_is_coarsened && !m_problem.is_opened && !m_problem.has_many_handles; }
+  // A coarser version showed about where ends belong; a whole cut to one disk has too many.
+  int rounds_of_moved_ends() const
+  {
+    return m_problem.is_opened || m_problem.has_many_handles ? 0 : m_is_coarsened ? 1 : 3;
+  }
 
   int number_of_solves() const
   {
@@ -153,17 +156,40 @@ private:
                                Component_result& result) const
   {
     const double bound = m_parameters.maximum_average_distortion;
-    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves, false, moves_ends()}, result);
+    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves, false, rounds_of_moved_ends()}, result);
     if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
-      tighten(refiner, repair_threshold, result);
-    if(has_bound(m_parameters) && m_parameters.do_bijective)
     {
-      relieve(refiner.cut().chart(), bound, result);
-      if(result.energy > bound && refiner.cut().chart().energy <= bound)
-        divide(refiner, result);
+      const double cost_with_overlaps = result.cost;
+      lower_without_overlaps(refiner, repair_threshold, result);
+      result.cost_of_room = result.cost - cost_with_overlaps;
     }
     if(result.status && result.energy > bound)
       result.status = bound_missed();
+  }
+
+  // Slits where parts of the chart are in each other's way lengthen the cut far less than slits that lower the running
+  // map's energy, of which only some make room.
+  void lower_without_overlaps(const Refiner& refiner, double repair_threshold, Component_result& result) const
+  {
+    const double bound = m_parameters.maximum_average_distortion;
+    if(m_parameters.opens_slits_first)
+    {
+      Component_result relieved = result;
+      relieve(refiner.cut().chart(), bound, relieved);
+      if(relieved.has_map && relieved.energy <= bound)
+      {
+        result = std::move(relieved);
+        return;
+      }
+    }
+    tighten(refiner, repair_threshold, result);
+    relieve(refiner.cut().chart(), bound, result);
+    if(refiner.cut().chart().energy > bound)
+      return;
+    Component_result divided = result;
+    divide(refiner, divided);
+    if(divided.energy <= bound && (result.energy > bound || divided.cost < result.cost))
+      result = std::move(divided);
   }
 
   void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const

@@ -64,9 +64,9 @@ void refine_features(const Problem& problem, const Context& context, Detected_fe
   if(refiner.connect(detected.features, !detected.is_hopeless) && refiner.map())
   {
     constexpr bool keeps_tree = true; // only the features are handed on
-    constexpr bool moves_ends = true;
+    constexpr int rounds_of_moved_ends = 3;
     refine(refiner, {parameters.maximum_average_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
-                     keeps_tree, moves_ends}, parameters);
+                     keeps_tree, rounds_of_moved_ends}, parameters);
     detected.features = refiner.cut().features();
   }
   detected.trade_offs.insert(detected.trade_offs.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());

@@ -31,6 +31,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
   p.coarse_number_of_faces = 5000;
   p.number_of_corrective_solves = has_bound ? 8 : 0;
   p.moves_ends = false;
+  p.opens_slits_first = has_bound && effort != Effort::FAST;
   p.runs_all_efforts = effort == Effort::BEST;
   switch(effort)
   {
@@ -63,19 +64,26 @@ inline Cutting_parameters with_effort(Effort effort, Cutting_parameters paramete
   return parameters;
 }
 
-// The runs of which the best result is returned. The best effort contains the smaller ones, also from the first seeds,
-// so that it is no worse than these. Where no first cut is looked for, seeds make no difference.
-inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& parameters, bool has_seeds)
+// Of the first cuts that runs may begin with: the given seed, and the first ones. Where no first cut is looked for, seeds
+// make no difference.
+inline std::vector<unsigned int> seeds_of_runs(const Cutting_parameters& parameters, bool has_seeds)
 {
   constexpr unsigned int number_of_seeds = 3;
-  if(!parameters.runs_all_efforts)
-    return {parameters};
-  std::vector<Cutting_parameters> runs;
   std::vector<unsigned int> seeds(1, parameters.random_seed);
   for(unsigned int seed = 0; has_seeds && seed < number_of_seeds; ++seed)
     if(seed != parameters.random_seed)
       seeds.push_back(seed);
-  for(unsigned int seed : seeds)
+  return seeds;
+}
+
+// The runs of which the best result is returned. The best effort contains the smaller ones, also from the first seeds,
+// so that it is no worse than these.
+inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& parameters, bool has_seeds)
+{
+  if(!parameters.runs_all_efforts)
+    return {parameters};
+  std::vector<Cutting_parameters> runs;
+  for(unsigned int seed : seeds_of_runs(parameters, has_seeds))
     for(Effort effort : {Effort::DEFAULT, Effort::FAST})
     {
       runs.push_back(with_effort(effort, parameters));
