@@ -40,6 +40,14 @@ struct Layout
   std::vector<Triangle> triangles;
 };
 
+// Files keep the orientation of the input's faces, and maps that of the surface.
+void orient(Layout& layout)
+{
+  Triangle& t = layout.triangles.back();
+  if(CGAL::Surface_mesh_parameterization::internal::triangle_area(t, layout.uv) < 0)
+    std::swap(t[1], t[2]);
+}
+
 Layout read_layout(const std::string& name)
 {
   Layout layout;
@@ -62,6 +70,7 @@ Layout read_layout(const std::string& name)
         words >> word;
         corner = std::stoi(word.substr(word.find('/') + 1)) - 1;
       }
+      orient(layout);
     }
   }
   return layout;

@@ -132,6 +132,9 @@ void test_distances(CGAL::Random& random)
       const double distance = distance_to_border(polygon, to_point(p));
       const bool is_inside = polygon.has_on_bounded_side(to_point(p));
       const Signed_distance found = field(p);
+      const double signed_distance = is_inside ? -distance : distance;
+      assert(field.least_distance(p) <= signed_distance + 1e-9);
+      assert(distance > reach || std::abs(field.rough_distance(p) - signed_distance) < 0.04); // a cell's diagonal is 0.06
       if(!is_inside && distance > reach)
         assert(found.distance > reach * (1 - 1e-9));
       else
@@ -209,6 +212,45 @@ void test_overlaps()
   assert(do_overlap(square, here, rectangle(0.1, 0.1), here) && do_overlap(rectangle(0.1, 0.1), here, square, here));
 }
 
+// Blocks cover all samples.
+void test_blocks(CGAL::Random& random)
+{
+  const Rigid_chart chart(segments_of(random_star(random)), 0.1);
+  int end = 0;
+  for(const Sample_block& block : chart.blocks)
+  {
+    assert(block.begin == end && block.end > block.begin);
+    end = block.end;
+    for(int k = block.begin; k < block.end; ++k)
+      assert((chart.samples[k] - block.center).norm() <= block.radius);
+  }
+  assert(end == int(chart.samples.size()));
+}
+
+// The one gap between bars is found, for all turns that fit, and rated higher where what is around it weighs more.
+void test_places(CGAL::Random& random)
+{
+  const std::vector<Rigid_chart> charts = {rectangle(1, 0.5), rectangle(4, 2.4), rectangle(4, 0.9)};
+  const std::vector<Rigid_motion> motions = {{0, {2, 2}}, {0, {2, 1.2}}, {0, {2, 3.55}}}; // the gap is at y = 2.4 ... 3.1
+  Crowding_map map(charts);
+  map.put_all(motions, 4, 0.01);
+  std::vector<Rated_place> places, heavy_places;
+  map.look_from(0, [](int) { return 1.; });
+  for(int k = 0; k < 50; ++k)
+    map.try_places(0, random.get_double(0, 7), random, places);
+  for(int k = 0; k < 50; ++k)
+    map.try_places(0, CGAL_PI, random, places);
+  assert(places.size() == 2 && places[0].energy <= places[1].energy);
+  const Eigen::Vector2d& center = places[0].motion.translation();
+  assert(std::abs(center.y() - 2.75) < 0.15 && center.x() >= 0.5 && center.x() <= 3.5);
+  map.look_from(0, [](int j) { return j == 1 ? 100. : 1.; });
+  map.try_places(0, 0, random, heavy_places);
+  assert(heavy_places[0].motion.translation().y() > 2.4);
+  std::vector<Rated_place> none;
+  map.try_places(1, CGAL_PI / 4, random, none); // too long for any place along the diagonal
+  assert(none.empty());
+}
+
 // Squares thrown onto each other come apart where there is room, and only there.
 void test_separation(CGAL::Random& random)
 {
@@ -219,9 +261,9 @@ void test_separation(CGAL::Random& random)
     std::vector<Rigid_motion> motions;
     for(std::size_t i = 0; i < charts.size(); ++i)
       motions.emplace_back(random.get_double(0, 7), Eigen::Vector2d(random.get_double(1, 1.5), random.get_double(1, 1.5)));
-    Chart_separator separator(charts, 0);
+    Chart_separator separator(charts);
     const bool is_separated
-      = separator.separate(motions, {side, distance, slack}, 200, CGAL::internal::Graph_kernel::always_go_further);
+      = separator.separate(motions, {side, distance, slack}, 10000000, CGAL::internal::Graph_kernel::always_go_further);
     assert(is_separated == (side > 2));
     if(!is_separated)
       continue;
@@ -257,6 +299,8 @@ int main(int argc, char** argv)
   test_slit_and_sliver();
   test_simplified_outlines(random);
   test_overlaps();
+  test_blocks(random);
+  test_places(random);
   test_separation(random);
   return EXIT_SUCCESS;
 }

@@ -223,10 +223,42 @@ private:
         factor = std::sqrt(factor);
   }
 
-  // Several runs with random numbers of their own; the best one counts.
+  // Grows by small steps, as long as a number of lookups allows. Where the smallest one fails, two charts change places
+  // before the next attempt.
   void push_apart()
   {
-    constexpr int runs = 2;
+    constexpr double first = 1.02, finest = 1.0015, lookups_per_chart = 2e6, quick = 0.02;
+    const double budget = lookups_per_chart * double((std::min)(m_outlines.size(), std::size_t(40)));
+    const std::vector<Rigid_chart> charts = rigid_charts();
+    Chart_separator separator(charts);
+    Random random(0);
+    bool is_stuck = false;
+    double factor = first;
+    while(m_best->scale * finest <= m_limit && double(separator.lookups()) < budget && m_control.go_further())
+    {
+      const long long former = separator.lookups();
+      const double scale = (std::min)(m_best->scale * factor, m_limit);
+      const Square_room room = {side() / scale - 2 * tolerance, m_margin / scale + 2 * tolerance, tolerance};
+      std::vector<Rigid_motion> motions = rigid_motions(scale);
+      if(is_stuck)
+        swap_two(motions, charts, random);
+      is_stuck = false;
+      if(separator.separate(motions, room, (long long)budget, m_control))
+      {
+        m_best = Packed_charts{scale, chart_motions(motions, scale)};
+        if(double(separator.lookups() - former) < quick * budget)
+          factor = (std::min)(first, factor * factor);
+      }
+      else
+      {
+        is_stuck = factor == finest;
+        factor = (std::max)(finest, std::sqrt(factor));
+      }
+    }
+  }
+
+  std::vector<Rigid_chart> rigid_charts() const
+  {
     const double reach = m_margin / m_best->scale + 4 * tolerance;
     std::vector<std::optional<Rigid_chart> > built(m_outlines.size());
     CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_outlines.size()), [&](int i)
@@ -236,39 +268,38 @@ private:
     std::vector<Rigid_chart> charts;
     for(std::optional<Rigid_chart>& chart : built)
       charts.push_back(std::move(*chart));
-    std::vector<Packed_charts> found(runs, *m_best);
-    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(runs, [&](int i)
-    { found[i] = pushed_apart(charts, (unsigned int)i); });
-    for(Packed_charts& packed : found)
-      if(packed.scale > m_best->scale)
-        m_best = std::move(packed);
+    return charts;
   }
 
-  // Not the scale changes here, but the room.
-  Packed_charts pushed_apart(const std::vector<Rigid_chart>& charts, unsigned int seed) const
+  // In a room of which not the scale changes, but the side.
+  std::vector<Rigid_motion> rigid_motions(double scale) const
   {
-    constexpr double first = 1.02, finest = 1.002;
-    const int sweeps = (std::min)(100, 3000 / int(charts.size())); // a sweep takes longer for more charts
-    Packed_charts best = *m_best;
-    Chart_separator separator(charts, seed);
-    for(double factor = first; factor > finest && m_control.go_further();)
-    {
-      const double scale = best.scale * factor;
-      const Eigen::Vector2d corner = Eigen::Vector2d::Constant(m_margin + tolerance * scale);
-      std::vector<Rigid_motion> motions;
-      for(const Chart_motion& motion : best.motions)
-        motions.emplace_back(motion.angle, (motion.translation - corner) / scale);
-      const Square_room room = {side() / scale - 2 * tolerance, m_margin / scale + 2 * tolerance, tolerance};
-      if(scale > m_limit || !separator.separate(motions, room, sweeps, m_control))
-      {
-        factor = std::sqrt(factor);
-        continue;
-      }
-      best.scale = scale;
-      for(std::size_t i = 0; i < motions.size(); ++i)
-        best.motions[i] = {motions[i].angle(), corner + scale * motions[i].translation()};
-    }
-    return best;
+    std::vector<Rigid_motion> motions;
+    for(const Chart_motion& motion : m_best->motions)
+      motions.emplace_back(motion.angle, (motion.translation - corner(scale)) / scale);
+    return motions;
+  }
+
+  std::vector<Chart_motion> chart_motions(const std::vector<Rigid_motion>& rigid, double scale) const
+  {
+    std::vector<Chart_motion> motions;
+    for(const Rigid_motion& motion : rigid)
+      motions.push_back({motion.angle(), corner(scale) + scale * motion.translation()});
+    return motions;
+  }
+
+  // Of that room.
+  Eigen::Vector2d corner(double scale) const { return Eigen::Vector2d::Constant(m_margin + tolerance * scale); }
+
+  // The larger one of two charts takes the place of any other one: large charts decide what is possible.
+  static void swap_two(std::vector<Rigid_motion>& motions, const std::vector<Rigid_chart>& charts, Random& random)
+  {
+    const int number = int(charts.size()), first = random.get_int(0, number), second = random.get_int(0, number);
+    const int i = charts[first].radius > charts[second].radius ? first : second;
+    const int j = (i + random.get_int(1, number)) % number;
+    const Rigid_motion former = motions[i];
+    motions[i] = Rigid_motion(former.angle(), motions[j].translation());
+    motions[j] = Rigid_motion(motions[j].angle(), former.translation());
   }
 
   // The first strategy that succeeds counts; those that fail where others succeed are given up.

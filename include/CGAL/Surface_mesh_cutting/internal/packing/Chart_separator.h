@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/packing/Rigid_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Crowding_map.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
@@ -27,7 +27,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,23 +48,29 @@ struct Square_room
 class Chart_separator
 {
 public:
-  Chart_separator(const std::vector<Rigid_chart>& charts, unsigned int seed)
-    : m_charts(charts), m_random(seed), m_order(charts.size())
+  explicit Chart_separator(const std::vector<Rigid_chart>& charts)
+    : m_charts(charts), m_map(charts), m_random(0), m_order(charts.size())
   {
     std::iota(m_order.begin(), m_order.end(), 0);
   }
 
-  // Whether it succeeded, within a number of sweeps over the charts; the motions are then those found. Attempts that
+  // How many distances were looked up so far, which takes most of the time; every attempt adds some.
+  long long lookups() const { return m_lookups; }
+
+  // Whether it succeeded, before there were `most_lookups` in all; the motions are then those found. Attempts that
   // stagnate are given up: where charts do not come apart steadily, they hardly ever do.
-  bool separate(std::vector<Rigid_motion>& motions, const Square_room& room, int sweeps, const Go_further& go_further)
+  bool separate(std::vector<Rigid_motion>& motions, const Square_room& room, long long most_lookups,
+                const Go_further& go_further)
   {
-    const int patience = 12 + 200 / int(m_charts.size()); // sweeps: luck is cheap where there are few charts
+    const int patience = 20 + 200 / int(m_charts.size()); // sweeps: luck is cheap where there are few charts
     m_room = room;
     m_motions.swap(motions);
+    m_map.put_all(m_motions, room.side, room.distance + room.slack);
+    m_lookups += Crowding_map::number_of_cells;
     m_weights.assign(m_charts.size() * (m_charts.size() + 1), 1.);
     bool is_separated = false;
     double least = std::numeric_limits<double>::infinity();
-    for(int i = 0, last = 0; i < sweeps && !is_separated && i - last < patience && go_further(); ++i)
+    for(int i = 0, last = 0; m_lookups < most_lookups && !is_separated && i - last < patience && go_further(); ++i)
     {
       const double depth = sweep(i >= sweeps_without_search);
       is_separated = depth == 0;
@@ -83,7 +88,7 @@ public:
   }
 
 private:
-  static constexpr int sweeps_without_search = 4, trials = 20; // before charts try other places, and how many
+  static constexpr int sweeps_without_search = 4; // before charts try other places
 
   struct Contact
   {
@@ -111,6 +116,7 @@ private:
       if(do_search && least > 0)
         search(i, best, least);
       m_motions[i] = best;
+      m_map.put(i, best);
     }
     return depth;
   }
@@ -125,26 +131,17 @@ private:
     return false;
   }
 
-  // The best of some places anywhere, turned as before, by quarters, or anyhow.
+  // The best of many places anywhere, turned as before, by quarters, or anyhow.
   void search(int i, Rigid_motion& best, double& least)
   {
-    std::vector<std::pair<double, Rigid_motion> > found;
-    double limit = std::numeric_limits<double>::infinity();
-    for(int k = 0; k < trials; ++k)
+    constexpr int turns = 16;
+    std::vector<Rated_place> found;
+    m_map.look_from(i, [&](int j) { return weight(i, j); });
+    for(int k = 0; k < turns; ++k)
     {
-      const double turn = m_random.get_int(0, 2) == 0 ? m_random.get_int(0, 4) * CGAL_PI / 2 + m_motions[i].angle()
-                                                      : m_random.get_double(0, 2 * CGAL_PI);
-      const Rigid_motion motion(turn, {m_random.get_double(0, m_room.side), m_random.get_double(0, m_room.side)});
-      const double energy = find_contacts(i, motion, limit);
-      if(energy >= limit)
-        continue;
-      found.emplace_back(energy, motion);
-      std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-      if(found.size() > 2)
-      {
-        found.pop_back();
-        limit = found.back().first;
-      }
+      const double angle = k % 2 == 0 ? m_random.get_int(0, 4) * CGAL_PI / 2 + m_motions[i].angle()
+                                      : m_random.get_double(0, 2 * CGAL_PI);
+      m_map.try_places(i, angle, m_random, found);
     }
     for(auto& [energy, motion] : found)
     {
@@ -243,6 +240,7 @@ private:
     const Eigen::Vector2d& center = motion.translation();
     if(center.minCoeff() >= inner && center.maxCoeff() <= m_room.side - inner)
       return energy;
+    m_lookups += (long long)m_charts[i].samples.size();
     for(const Eigen::Vector2d& sample : m_charts[i].samples)
     {
       const Eigen::Vector2d p = motion(sample);
@@ -258,21 +256,27 @@ private:
   }
 
   // Samples of chart `i` in the field of chart `j`, which push the former for side 1 and the latter for side -1. Those
-  // beyond `limit` are not looked for.
+  // beyond `limit` are not looked for, nor those in blocks that are far away.
   double field_contacts(int i, const Rigid_motion& at_i, int j, const Rigid_motion& at_j, double side,
                         double limit = std::numeric_limits<double>::infinity())
   {
-    const double reach = m_room.distance + m_room.slack, radius = m_charts[j].radius + reach;
+    const double reach = m_room.distance + m_room.slack;
     const Rigid_motion relative = at_i.relative_to(at_j);
+    const Distance_field& field = m_charts[j].field;
     double energy = 0;
-    for(const Eigen::Vector2d& sample : m_charts[i].samples)
+    for(const Sample_block& block : m_charts[i].blocks)
     {
-      const Eigen::Vector2d p = relative(sample);
-      if(p.squaredNorm() >= radius * radius)
+      ++m_lookups;
+      if(field.least_distance(relative(block.center)) >= reach + block.radius)
         continue;
-      const Signed_distance found = m_charts[j].field(p);
-      if(found.distance < reach)
-        energy += add_contact(at_j(p), side * at_j.turned(found.direction), reach - found.distance, weight(i, j));
+      m_lookups += block.end - block.begin;
+      for(int k = block.begin; k < block.end; ++k)
+      {
+        const Eigen::Vector2d p = relative(m_charts[i].samples[k]);
+        const Signed_distance found = field(p);
+        if(found.distance < reach)
+          energy += add_contact(at_j(p), side * at_j.turned(found.direction), reach - found.distance, weight(i, j));
+      }
       if(energy >= limit)
         break;
     }
@@ -304,6 +308,7 @@ private:
   }
 
   const std::vector<Rigid_chart>& m_charts;
+  Crowding_map m_map;
   Random m_random;
   Square_room m_room;
   std::vector<Rigid_motion> m_motions;
@@ -311,6 +316,7 @@ private:
   std::vector<int> m_order;
   std::vector<Contact> m_contacts;
   double m_deepest = 0;
+  long long m_lookups = 0;
 };
 
 } // namespace internal

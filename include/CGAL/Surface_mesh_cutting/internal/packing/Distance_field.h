@@ -42,7 +42,7 @@ class Distance_field
 public:
   // Points farther than `reach` outside are at infinity.
   Distance_field(const std::vector<Outline_segment>& outline, double reach)
-    : m_lines(outline.begin(), outline.end())
+    : m_lines(outline.begin(), outline.end()), m_reach(reach)
   {
     for(const Line& line : m_lines)
       m_box.add(line.source);
@@ -52,24 +52,45 @@ public:
     m_rows = int(m_box.size().y() / m_cell) + 1;
     for(int y = 0; y < m_rows; ++y)
       for(int x = 0; x < m_columns; ++x)
-        add_cell(m_box.low + m_cell * Eigen::Vector2d(x + 0.5, y + 0.5), reach);
+        add_cell(m_box.low + m_cell * Eigen::Vector2d(x + 0.5, y + 0.5));
   }
 
   Signed_distance operator()(const Eigen::Vector2d& p) const
   {
-    const double x = (p.x() - m_box.low.x()) / m_cell, y = (p.y() - m_box.low.y()) / m_cell;
-    if(!(x >= 0 && y >= 0 && x < m_columns && y < m_rows))
+    const Eigen::Vector2d place = (p - m_box.low) / m_cell;
+    if(!is_on_grid(place))
       return Signed_distance();
-    const std::size_t cell = std::size_t(y) * m_columns + std::size_t(x);
+    const std::size_t cell = cell_of(place);
     return closest(p, m_begins[cell], m_begins[cell + 1], m_is_inside[cell]);
   }
 
+  // The distance within half the diagonal of a cell of the grid, or less where points are farther than `reach`. It costs
+  // a look at one cell.
+  double rough_distance(const Eigen::Vector2d& p) const
+  {
+    const Eigen::Vector2d place = (p - m_box.low) / m_cell;
+    if(is_on_grid(place))
+      return m_center_distances[cell_of(place)];
+    const Eigen::Vector2d beyond = (-place).cwiseMax(place - Eigen::Vector2d(m_columns, m_rows)).cwiseMax(0.);
+    return m_reach + m_cell * beyond.norm();
+  }
+
+  // A bound from below.
+  double least_distance(const Eigen::Vector2d& p) const { return rough_distance(p) - 0.5 * diagonal(); }
+
 private:
+  bool is_on_grid(const Eigen::Vector2d& place) const
+  { return place.x() >= 0 && place.y() >= 0 && place.x() < m_columns && place.y() < m_rows; }
+
+  std::size_t cell_of(const Eigen::Vector2d& place) const
+  { return std::size_t(place.y()) * m_columns + std::size_t(place.x()); }
+
+  double diagonal() const { return std::sqrt(2.) * m_cell; } // of a cell
+
   static constexpr int resolution = 48; // cells along the longer side
 
-  void add_cell(const Eigen::Vector2d& center, double reach)
+  void add_cell(const Eigen::Vector2d& center)
   {
-    const double diagonal = std::sqrt(2.) * m_cell;
     m_distances.clear();
     double least = std::numeric_limits<double>::infinity();
     int winding_number = 0;
@@ -79,14 +100,15 @@ private:
       m_distances.push_back(line.offset_to(center).norm());
       least = (std::min)(least, m_distances.back());
     }
-    const double limit = least + (least > 3 * diagonal ? 1e-9 * least : diagonal);
+    const double limit = least + (least > 3 * diagonal() ? 1e-9 * least : diagonal());
     for(std::size_t i = 0; i < m_lines.size(); ++i)
       if(m_distances[i] <= limit)
         m_candidates.push_back(int(i));
     m_begins.push_back(int(m_candidates.size()));
     const int begin = m_begins[m_begins.size() - 2];
     m_is_inside.push_back(winding_number != 0);
-    if(least > reach + 0.5 * diagonal && !m_is_inside.back()) // never reached
+    m_center_distances.push_back(m_is_inside.back() ? -least : least);
+    if(least > m_reach + 0.5 * diagonal() && !m_is_inside.back()) // never reached
     {
       m_candidates.resize(std::size_t(begin));
       m_begins.back() = begin;
@@ -158,10 +180,11 @@ private:
 
   std::vector<Line> m_lines;
   Surface_mesh_parameterization::internal::Bounding_box<2> m_box;
-  double m_cell;
+  double m_reach, m_cell;
   int m_columns, m_rows;
   std::vector<int> m_begins = {0}, m_candidates; // of cells, row by row: segments
   std::vector<char> m_is_inside;                 // of the centers of cells
+  std::vector<double> m_center_distances;        // of cells
   std::vector<double> m_distances;
 };
 

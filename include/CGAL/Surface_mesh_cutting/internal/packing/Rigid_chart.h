@@ -61,12 +61,21 @@ private:
   Eigen::Vector2d m_translation;
 };
 
+// Samples that follow each other, in a circle.
+struct Sample_block
+{
+  int begin, end;
+  Eigen::Vector2d center;
+  double radius;
+};
+
 // A chart that is moved as a whole.
 struct Rigid_chart
 {
   std::vector<Outline_segment> outline; // with few segments
   Distance_field field;
   std::vector<Eigen::Vector2d> samples; // of the outline, all its corners among them
+  std::vector<Sample_block> blocks;     // of samples
   double radius = 0;                    // of a circle around the origin
 
   // `reach`: up to which distance the field is asked for.
@@ -86,6 +95,21 @@ struct Rigid_chart
         samples.push_back(s.source + double(i) / number * (s.target - s.source));
       radius = (std::max)(radius, s.source.norm());
     }
+    constexpr int block_size = 6;
+    for(int begin = 0; begin < int(samples.size()); begin += block_size)
+      add_block(begin, (std::min)(begin + block_size, int(samples.size())));
+  }
+
+private:
+  void add_block(int begin, int end)
+  {
+    Surface_mesh_parameterization::internal::Bounding_box<2> box;
+    for(int k = begin; k < end; ++k)
+      box.add(samples[k]);
+    Sample_block block = {begin, end, 0.5 * (box.low + box.high), 0};
+    for(int k = begin; k < end; ++k)
+      block.radius = (std::max)(block.radius, (samples[k] - block.center).norm());
+    blocks.push_back(block);
   }
 };
 
