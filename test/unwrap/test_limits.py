@@ -120,6 +120,20 @@ class Limits(Case):
                 report = self.assert_refused(5, "a.off", "-o", "out.obj", *options)
                 self.assertIsNone(report["E_iso"])
 
+    def test_parts_of_different_size(self):
+        """Next to the large one's, the UVs of the small one are held as long as they differ in their digits."""
+        for factor, expected in ((1e-3, 0), (1e-9, 0), (1e-20, 4), (1e-150, 4)):
+            for options in OPTIONS:
+                with self.subTest(factor=factor, options=options):
+                    self.write("a.off", to_off(joined(scaled(SPHERE, factor), SPHERE)))
+                    if expected == 0:
+                        exit_code, report = self.report("a.off", "-o", "out.obj", *options)
+                        self.assertEqual((exit_code, report["flips"]), (0, 0), report["message"])
+                    else:
+                        report = self.assert_refused(4, "a.off", "-o", "out.obj", *options)
+                        self.assertEqual(report["witness"], {"kind": "vertices", "indices": list(range(len(SPHERE[0])))})
+                        self.assertEqual(report["seconds"]["filter"], 0)
+
     def test_scale_does_not_matter(self):
         expected = self.assert_unwrapped(SPHERE)
         for exponent in (-1000, -664, 664, 1000):

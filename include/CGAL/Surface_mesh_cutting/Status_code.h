@@ -28,7 +28,8 @@ enum class Status_code
                            ///  repeats an edge of the surface. Witness: faces.
   NON_MANIFOLD,            ///< an edge with more than two faces, a vertex whose faces form
                            ///  more than one fan, or a face given twice. Witness: vertices or faces.
-  INVALID_POINT,           ///< a coordinate is infinite or not a number. Witness: vertices.
+  INVALID_POINT,           ///< a coordinate is infinite or not a number, or a part of the surface is too small for UVs
+                           ///  next to those of the largest part. Witness: vertices.
   WRONG_PARAMETER,         ///< a parameter is out of its range, which the message names, or a weight is negative or
                            ///  not a number. Witness: the edges or faces concerned, if any.
   INFEASIBLE_CONSTRAINTS,  ///< no cut satisfies the constraints. Witness: the elements in conflict.

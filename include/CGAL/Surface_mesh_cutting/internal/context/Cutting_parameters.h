@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
@@ -57,7 +58,11 @@ struct Cutting_parameters
   bool runs_all_efforts = false;       // also the smaller ones; the best result is returned
   bool moves_ends = false;             // where features are found, of a cut at a bound
   bool opens_slits_first = false;      // where a map without overlaps misses a bound, before the running map goes below
+  std::optional<int> given_coarse_number_of_faces; // by the caller
   int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
+  // A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few
+  // features: measured at full resolution, the energy is as low as that of features found there with this factor.
+  double resolved_gain = 0.85;
   int number_of_shortening_solves = 0; // at most, where features are found
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
   // How the feature points are connected; its decrease is epsilon_len as a length.

@@ -67,6 +67,10 @@ public:
     result.length = result.lower_bound = cut_length(m_mesh, mandatory);
     result.cost = cut_cost(m_constraints.edges, mandatory);
     const std::vector<Indexed_component> components = split_along(m_mesh, mandatory);
+    if(output == Output_kind::MAP)
+      result.status = check_extents(components);
+    if(!result.status)
+      return result;
     std::vector<Component_result> parts = cut_components(components, output);
     for(std::size_t i = 0; i < components.size(); ++i)
       if(!add_part(components[i], std::move(parts[i]), output, result))
@@ -105,6 +109,25 @@ private:
       return Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS, "isolated vertices cannot be connected",
                             Element_kind::VERTEX, std::move(isolated));
     return check_no_edge_is_mandatory_and_forbidden(m_mesh, m_constraints.edges);
+  }
+
+  // Next to the chart of the largest component, the vertices of a far smaller one would get the same UVs.
+  Indexed_status check_extents(const std::vector<Indexed_component>& components) const
+  {
+    constexpr double least_share = 1e-14; // of the largest extent, of which a UV resolves 1e-16
+    std::vector<double> extents;
+    for(const Indexed_component& c : components)
+      extents.push_back(bounding_box_diagonal(c.mesh));
+    const double largest = extents.empty() ? 0 : *std::max_element(extents.begin(), extents.end());
+    std::vector<int> vertices;
+    for(std::size_t i = 0; i < components.size(); ++i)
+      if(extents[i] > 0 && extents[i] < least_share * largest) // those without extent get charts of some size
+        vertices.insert(vertices.end(), components[i].vertices.begin(), components[i].vertices.end());
+    if(vertices.empty())
+      return Indexed_status();
+    std::sort(vertices.begin(), vertices.end());
+    return Indexed_status(Status_code::INVALID_POINT, "parts too small to be mapped next to the largest one",
+                          Element_kind::VERTEX, std::move(vertices));
   }
 
   // All terminals are features, also those that needed no connection. No length is proven where

@@ -43,14 +43,12 @@ inline bool refines(const Problem& problem, const Cutting_parameters& parameters
   return has_bound(parameters) || problem.initial.is_given() || parameters.number_of_shortening_solves > 0;
 }
 
-// A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few
-// features: measured at full resolution, the energy is as low as that of features found there with this factor.
+// Asks for no more than a coarse map resolves.
 inline Cutting_parameters parameters_on_coarse_mesh(const Cutting_parameters& parameters)
 {
-  constexpr double resolved_gain = 0.85;
   Cutting_parameters result = parameters;
-  result.minimum_distortion_decrease *= resolved_gain;
-  result.decrease_per_cost *= resolved_gain;
+  result.minimum_distortion_decrease *= parameters.resolved_gain;
+  result.decrease_per_cost *= parameters.resolved_gain;
   return result;
 }
 

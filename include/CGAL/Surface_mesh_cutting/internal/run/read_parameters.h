@@ -78,12 +78,13 @@ Cutting_parameters read_cutting_parameters(const NamedParameters& np)
   p.needs_optimal_tree = connection == Connection::EXACT;
   if(p.needs_optimal_tree)
     p.number_of_states_while_refining = p.connection.maximum_number_of_states;
+  read(get_parameter(np, internal_np::coarse_number_of_faces), p.given_coarse_number_of_faces);
+  p.coarse_number_of_faces = p.given_coarse_number_of_faces.value_or(0);
   if(!p.use_published_method)
     set_effort(choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT), p);
   else
     p.decrease_per_cost = 0;
   read(get_parameter(np, internal_np::minimum_decrease_per_length), p.decrease_per_cost);
-  read(get_parameter(np, internal_np::coarse_number_of_faces), p.coarse_number_of_faces);
   return p;
 }
 

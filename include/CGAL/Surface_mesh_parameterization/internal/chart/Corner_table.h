@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -158,7 +159,10 @@ private:
   // All halfedges that leave the source of `h`.
   std::vector<int> ring(int h) const
   {
-    std::vector<int> corners(1, h);
+    constexpr std::size_t usual_valence = 8; // seldom more
+    std::vector<int> corners;
+    corners.reserve(usual_valence);
+    corners.push_back(h);
     int c = next_around_source(h);
     for(; c >= 0 && c != h; c = next_around_source(c))
       corners.push_back(c);
