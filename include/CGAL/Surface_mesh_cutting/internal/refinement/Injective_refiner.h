@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 
@@ -28,6 +29,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
