@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_mask.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>

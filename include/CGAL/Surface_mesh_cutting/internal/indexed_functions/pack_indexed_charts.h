@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_packer.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Packing_certificate.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 

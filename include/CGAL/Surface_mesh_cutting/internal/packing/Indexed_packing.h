@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/packing/Packing_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Packing_margin.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <Eigen/Core>

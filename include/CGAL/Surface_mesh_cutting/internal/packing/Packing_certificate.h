@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/Packing_margin.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
@@ -38,15 +39,6 @@ namespace internal {
 
 using Surface_mesh_parameterization::internal::Connected_parts;
 using Surface_mesh_parameterization::internal::Corner_table;
-
-// A distance between charts, and from the border of the unit square.
-struct Packing_margin
-{
-  double texels;
-  int texture_size; // texels along a side of the square
-
-  double distance() const { return texels / texture_size; }
-};
 
 // Proves that charts lie in the unit square and apart: no chart on another one, all distances at least the margin.
 // What decides is exact, numbers of type `double` only sort out the clear cases.

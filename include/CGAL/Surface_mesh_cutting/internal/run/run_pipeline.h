@@ -21,7 +21,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Counted_solver_source.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
 
 #include <CGAL/Default.h>
@@ -122,7 +121,7 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
   using Adapter = std::decay_t<decltype(adapter)>;
   Cutting_parameters parameters = read_cutting_parameters(np);
   using namespace Surface_mesh_parameterization::internal;
-  parameters.linear_solvers = std::make_shared<Counted_solver_source>(
+  parameters.linear_solvers = counted_solvers(
     make_linear_solver_source(choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control,
                               execution_of<ConcurrencyTag>()),
     clock.unknowns());

@@ -14,23 +14,22 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Embedded_hermitian_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Lent_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Reordering_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/adapted_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/library.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/adapted_solvers.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
 #include <CGAL/Default.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <type_traits>
-#include <utility>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/default_linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/wrapped_solvers.h>
 #endif
 
 namespace CGAL {
@@ -40,46 +39,19 @@ namespace internal {
 using CGAL::internal::Graph_kernel::Go_further;
 using CGAL::internal::Graph_kernel::always_go_further;
 
-// Where the solvers come from if the program gives one: that one solves all systems.
-class Given_solver_source : public Linear_solver_source
-{
-public:
-  using Linear_solver_source::Linear_solver_source;
+// A source of solvers that are all made by `make_solver()`, each for a system of its own.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::shared_ptr<const Linear_solver_source> given_solvers(std::function<std::unique_ptr<Linear_solver>()> make_solver,
+                                                          Execution execution);
 
-  std::unique_ptr<Symmetric_solver> make_symmetric_solver() const override
-  {
-    return std::make_unique<Reordering_solver>(make_solver());
-  }
-  std::unique_ptr<Hermitian_solver> make_hermitian_solver() const override
-  {
-    return std::make_unique<Embedded_hermitian_solver>(make_solver());
-  }
-};
+// A source that lends one solver to one system at a time.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::shared_ptr<const Linear_solver_source> lent_solver(std::unique_ptr<Linear_solver> solver, Execution execution);
 
-// Each system has a copy of the given solver.
-template <typename Solver>
-class Copied_solver_source : public Given_solver_source
-{
-public:
-  Copied_solver_source(const Solver& solver, Execution execution) : Given_solver_source(execution), m_solver(solver) {}
-  std::unique_ptr<Linear_solver> make_solver() const override { return adapt(std::make_shared<Solver>(m_solver)); }
-
-private:
-  const Solver m_solver;
-};
-
-// The given solver is lent to one system at a time.
-class Lent_solver_source : public Given_solver_source
-{
-public:
-  Lent_solver_source(std::unique_ptr<Linear_solver> solver, Execution execution)
-    : Given_solver_source(execution), m_lending(std::make_shared<Lending>(std::move(solver)))
-  {}
-  std::unique_ptr<Linear_solver> make_solver() const override { return std::make_unique<Lent_solver>(m_lending); }
-
-private:
-  const std::shared_ptr<Lending> m_lending;
-};
+// The solvers of another source, which count in `unknowns` what they factorize.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::shared_ptr<const Linear_solver_source> counted_solvers(std::shared_ptr<const Linear_solver_source> source,
+                                                            std::atomic<long long>& unknowns);
 
 // From what a program gives: nothing but `Default`, a reference to a solver, or a solver. Copies of models of
 // CGAL's concept may share what they hold, as `Eigen_solver_traits` does: such a model is lent. Only factorizations
@@ -96,7 +68,7 @@ std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const std:
 {
   static_assert(!std::is_const<Solver>::value, "Pass a solver that cannot be copied by std::ref().");
   const std::shared_ptr<void> no_owner;
-  return std::make_shared<Lent_solver_source>(adapt(std::shared_ptr<Solver>(no_owner, &solver.get())), execution);
+  return lent_solver(adapt(std::shared_ptr<Solver>(no_owner, &solver.get())), execution);
 }
 
 template <typename Solver>
@@ -105,9 +77,9 @@ std::shared_ptr<const Linear_solver_source> make_linear_solver_source(const Solv
                                                                       Execution execution = Execution::SEQUENTIAL)
 {
   if constexpr(Has_eigen_interface<Solver>::value)
-    return std::make_shared<Copied_solver_source<Solver> >(solver, execution);
+    return given_solvers([solver] { return adapt(std::make_shared<Solver>(solver)); }, execution);
   else
-    return std::make_shared<Lent_solver_source>(adapt(std::make_shared<Solver>(solver)), execution);
+    return lent_solver(adapt(std::make_shared<Solver>(solver)), execution);
 }
 
 } // namespace internal
