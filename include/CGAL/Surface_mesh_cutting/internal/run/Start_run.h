@@ -15,13 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
-
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 
 #include <algorithm>
 #include <utility>
@@ -43,7 +38,7 @@ public:
   // The references are kept.
   Start_run(const Problem& problem, const Context& context)
     : m_problem(problem), m_context(context), m_parameters(context.parameters), m_control(context.control),
-      m_is_coarsened(is_coarsened(problem, context.parameters))
+      m_parameterizer(problem, context), m_is_coarsened(is_coarsened(problem, context.parameters))
   {}
 
   Component_result operator()(int start, bool needs_map) const
@@ -118,25 +113,9 @@ private:
       result.status = failure(m_control);
     if(!result.status)
       return false;
-    take_cut(refiner, refiner.cut().tree().cut, result);
+    m_parameterizer.take_cut(refiner.cut(), refiner.cut().tree().cut, result);
     m_control.report(Phase::CONNECT, 1);
     return true;
-  }
-
-  void take_cut(const Refiner& refiner, const Cut& cut, Component_result& result) const
-  {
-    const Connected_cut& tree = refiner.cut().tree();
-    result.has_cut = true;
-    result.features = refiner.cut().features();
-    std::sort(result.features.begin(), result.features.end());
-    result.cut = cut;
-    result.length = cut_length(m_problem.mesh, cut);
-    result.cost = cut_cost(m_problem.constraints, cut);
-    result.lower_bound = m_problem.is_opened ? 0 : cut_length(m_problem.mesh, m_problem.constraints.mandatory);
-    if(refiner.cut().is_connected() && !m_problem.is_opened) // of whose opening no length is proven
-      result.lower_bound += tree.lower_bound;
-    result.is_optimal = !m_problem.is_opened && refiner.cut().is_connected() && tree.is_optimal && cut == tree.cut;
-    result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
   }
 
   bool map(Refiner& refiner, Component_result& result) const
@@ -175,7 +154,7 @@ private:
     if(m_parameters.opens_slits_first)
     {
       Component_result relieved = result;
-      relieve(refiner.cut().chart(), bound, relieved);
+      m_parameterizer.relieve(refiner.cut().chart(), bound, relieved);
       if(relieved.has_map && relieved.energy <= bound)
       {
         result = std::move(relieved);
@@ -183,11 +162,11 @@ private:
       }
     }
     tighten(refiner, repair_threshold, result);
-    relieve(refiner.cut().chart(), bound, result);
+    m_parameterizer.relieve(refiner.cut().chart(), bound, result);
     if(refiner.cut().chart().energy > bound)
       return;
     Component_result divided = result;
-    divide(refiner, divided);
+    m_parameterizer.divide(refiner.cut(), divided);
     if(divided.energy <= bound && (result.energy > bound || divided.cost < result.cost))
       result = std::move(divided);
   }
@@ -201,8 +180,7 @@ private:
       refine(refiner, goal, m_parameters);
       m_control.report(Phase::REFINE, 1);
     }
-    take_cut(refiner, refiner.cut().chart().cut, result);
-    parameterize(refiner, result);
+    m_parameterizer(refiner.cut(), result);
   }
 
   // Looks for the shortest cut whose bijective map keeps the bound: bisection over what is asked of
@@ -240,94 +218,11 @@ private:
     }
   }
 
-  void parameterize(const Refiner& refiner, Component_result& result) const
-  {
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    const Open_chart& running = refiner.cut().chart();
-    if(!divide_at_once(refiner, result))
-    {
-      result.chart = running.chart;
-      const Newton_result newton = final_map(m_problem, running, m_context, result.uv);
-      result.energy = newton.energy;
-      result.has_map = newton.outcome != Newton_outcome::FAILED;
-      if(m_parameters.do_bijective && !m_parameters.use_published_method && !has_bound(m_parameters))
-      {
-        constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
-        relieve(running, running.energy + tolerance, result);
-        if(!result.has_map || result.energy > running.energy + tolerance)
-          divide(refiner, result);
-      }
-    }
-    if(!result.has_map || m_control.is_stopped())
-      result.status = failure(m_control);
-    m_control.report(Phase::PARAMETERIZE, 1);
-  }
-
-  // Opens slits until the energy of the map without overlaps is at most `goal`, if that is possible: where the plane
-  // has no room for all of the chart's parts, they let some turn aside.
-  void relieve(const Open_chart& overlapping, double goal, Component_result& result) const
-  {
-    if(!result.has_map || result.energy <= goal)
-      return;
-    Injective_cut cut{std::move(result.cut), std::move(result.chart), std::move(result.uv), result.energy, {}};
-    Injective_refiner(m_problem, m_context, overlapping).lower_to(goal, cut);
-    result.cut = std::move(cut.cut);
-    result.length = cut_length(m_problem.mesh, result.cut);
-    result.cost = cut_cost(m_problem.constraints, result.cut);
-    result.is_optimal = result.is_optimal && cut.tips.empty();
-    result.features.insert(result.features.end(), cut.tips.begin(), cut.tips.end());
-    std::sort(result.features.begin(), result.features.end());
-    result.chart = std::move(cut.chart);
-    result.uv = std::move(cut.uv);
-    result.energy = cut.energy;
-  }
-
-  // Where a map lies in so many layers, nobody needs to try one in one piece: at best, it would be distorted beyond use.
-  bool divide_at_once(const Refiner& refiner, Component_result& result) const
-  {
-    constexpr double layers = 2; // on average over the box around it
-    if(!m_parameters.do_bijective || m_parameters.use_published_method)
-      return false;
-    const Open_chart& running = refiner.cut().chart();
-    Surface_mesh_parameterization::internal::Bounding_box<2> box;
-    for(const Eigen::Vector2d& p : running.uv)
-      box.add(p);
-    const Eigen::Vector2d size = box.size();
-    if(Surface_mesh_parameterization::internal::chart_area(running.chart.triangles(), running.uv)
-       < layers * size.x() * size.y())
-      return false;
-    result.has_map = false;
-    divide(refiner, result);
-    return result.has_map;
-  }
-
-  // Replaces a map without overlaps by the running one, divided into several charts, where that is worth the longer cut.
-  void divide(const Refiner& refiner, Component_result& result) const
-  {
-    const Open_chart& running = refiner.cut().chart();
-    Cutting_parameters overlapping = m_parameters;
-    overlapping.do_bijective = false;
-    Open_chart chart = running;
-    const Newton_result newton
-      = final_map(m_problem, running, Context{overlapping, m_control, m_context.clock}, chart.uv);
-    const Chart_division division(m_problem, chart);
-    if(newton.outcome == Newton_outcome::FAILED || !division.is_complete())
-      return;
-    const double cost = cut_cost(m_problem.constraints, division.cut());
-    if(result.has_map && !has_bound(m_parameters) &&
-       result.energy - newton.energy < m_parameters.decrease_per_cost * (cost - result.cost))
-      return;
-    result.has_map = true;
-    take_cut(refiner, division.cut(), result);
-    result.chart = make_chart(m_problem.mesh, result.cut);
-    result.uv = division.uv(result.chart);
-    result.energy = newton.energy;
-  }
-
   const Problem& m_problem;
   const Context m_context;
   const Cutting_parameters& m_parameters;
   Run_control& m_control;
+  const Cut_parameterizer<ConcurrencyTag> m_parameterizer;
   const bool m_is_coarsened;
 };
 

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CUT_PARAMETERIZER_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CUT_PARAMETERIZER_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, the cut grows:
+// by slits that let parts turn aside, or, as a last resort, by seams between several charts.
+template <typename ConcurrencyTag>
+class Cut_parameterizer
+{
+  using Working_cut = internal::Working_cut<ConcurrencyTag>;
+
+public:
+  // The references are kept.
+  Cut_parameterizer(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}
+
+  // Takes the running cut and maps it, without overlaps on request.
+  void operator()(const Working_cut& cut, Component_result& result) const
+  {
+    take_cut(cut, cut.chart().cut, result);
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    const Open_chart& running = cut.chart();
+    if(!divide_at_once(cut, result))
+    {
+      result.chart = running.chart;
+      const Newton_result newton = final_map(m_problem, running, m_context, result.uv);
+      result.energy = newton.energy;
+      result.has_map = newton.outcome != Newton_outcome::FAILED;
+      if(m_context.parameters.do_bijective && !m_context.parameters.use_published_method && !has_bound(m_context.parameters))
+      {
+        constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
+        relieve(running, running.energy + tolerance, result);
+        if(!result.has_map || result.energy > running.energy + tolerance)
+          divide(cut, result);
+      }
+    }
+    if(!result.has_map || m_context.control.is_stopped())
+      result.status = failure(m_context.control);
+    m_context.control.report(Phase::PARAMETERIZE, 1);
+  }
+
+  // What is known of `edges`, a cut made from a working one.
+  void take_cut(const Working_cut& cut, const Cut& edges, Component_result& result) const
+  {
+    const Connected_cut& tree = cut.tree();
+    result.has_cut = true;
+    result.features = cut.features();
+    std::sort(result.features.begin(), result.features.end());
+    result.cut = edges;
+    result.length = cut_length(m_problem.mesh, edges);
+    result.cost = cut_cost(m_problem.constraints, edges);
+    result.lower_bound = m_problem.is_opened ? 0 : cut_length(m_problem.mesh, m_problem.constraints.mandatory);
+    if(cut.is_connected() && !m_problem.is_opened) // of whose opening no length is proven
+      result.lower_bound += tree.lower_bound;
+    result.is_optimal = !m_problem.is_opened && cut.is_connected() && tree.is_optimal && edges == tree.cut;
+    result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
+  }
+
+  // Opens slits until the energy of the map without overlaps is at most `goal`, if that is possible: where the plane
+  // has no room for all of the chart's parts, they let some turn aside.
+  void relieve(const Open_chart& overlapping, double goal, Component_result& result) const
+  {
+    if(!result.has_map || result.energy <= goal)
+      return;
+    Injective_cut injective{std::move(result.cut), std::move(result.chart), std::move(result.uv), result.energy, {}};
+    Injective_refiner(m_problem, m_context, overlapping).lower_to(goal, injective);
+    result.cut = std::move(injective.cut);
+    result.length = cut_length(m_problem.mesh, result.cut);
+    result.cost = cut_cost(m_problem.constraints, result.cut);
+    result.is_optimal = result.is_optimal && injective.tips.empty();
+    result.features.insert(result.features.end(), injective.tips.begin(), injective.tips.end());
+    std::sort(result.features.begin(), result.features.end());
+    result.chart = std::move(injective.chart);
+    result.uv = std::move(injective.uv);
+    result.energy = injective.energy;
+  }
+
+  // Replaces a map without overlaps by the running one, divided into several charts, where that is worth the longer cut.
+  void divide(const Working_cut& cut, Component_result& result) const
+  {
+    const Open_chart& running = cut.chart();
+    Cutting_parameters overlapping = m_context.parameters;
+    overlapping.do_bijective = false;
+    Open_chart chart = running;
+    const Newton_result newton
+      = final_map(m_problem, running, Context{overlapping, m_context.control, m_context.clock}, chart.uv);
+    const Chart_division division(m_problem, chart);
+    if(newton.outcome == Newton_outcome::FAILED || !division.is_complete())
+      return;
+    const double cost = cut_cost(m_problem.constraints, division.cut());
+    if(result.has_map && !has_bound(m_context.parameters) &&
+       result.energy - newton.energy < m_context.parameters.decrease_per_cost * (cost - result.cost))
+      return;
+    if(!m_context.control.is_stopped())
+      result.status.finding = Finding(); // even if there was no map in one piece
+    result.has_map = true;
+    take_cut(cut, division.cut(), result);
+    result.chart = make_chart(m_problem.mesh, result.cut);
+    result.uv = division.uv(result.chart);
+    result.energy = newton.energy;
+  }
+
+private:
+  // Where a map lies in so many layers, nobody needs to try one in one piece: at best, it would be distorted beyond use.
+  bool divide_at_once(const Working_cut& cut, Component_result& result) const
+  {
+    constexpr double layers = 2; // on average over the box around it
+    if(!m_context.parameters.do_bijective || m_context.parameters.use_published_method)
+      return false;
+    const Open_chart& running = cut.chart();
+    Surface_mesh_parameterization::internal::Bounding_box<2> box;
+    for(const Eigen::Vector2d& p : running.uv)
+      box.add(p);
+    const Eigen::Vector2d size = box.size();
+    if(Surface_mesh_parameterization::internal::chart_area(running.chart.triangles(), running.uv)
+       < layers * size.x() * size.y())
+      return false;
+    result.has_map = false;
+    divide(cut, result);
+    return result.has_map;
+  }
+
+  const Problem& m_problem;
+  const Context m_context;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_CUT_PARAMETERIZER_H
