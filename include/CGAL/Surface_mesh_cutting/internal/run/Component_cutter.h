@@ -48,6 +48,7 @@ public:
       return result;
     Cutting_parameters parameters = m_context.parameters;
     parameters.number_of_starts = 1; // what is asked for is what the paper detects
+    parameters.adapt_to_size(m_problem.mesh.number_of_faces());
     Detected_features detected
       = detect_features<ConcurrencyTag>(m_problem, 0, Context{parameters, m_context.control, m_context.clock});
     result.status = detected.status;
@@ -70,6 +71,7 @@ public:
     std::vector<Component_result> results;
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
+      runs[i].adapt_to_size(m_problem.mesh.number_of_faces());
       const Start_run<ConcurrencyTag> run_with(m_problem, Context{runs[i], m_context.control, m_context.clock});
       Component_result result = run_with(0, needs_uv || runs.size() > 1);
       if(!result.has_cut && results.empty())

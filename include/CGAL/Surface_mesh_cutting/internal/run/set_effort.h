@@ -28,9 +28,9 @@ namespace internal {
 inline void set_effort(Effort effort, Cutting_parameters& p)
 {
   const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();
-  // Without a bound, features on coarser versions lead to cuts of about the same quality.
-  p.coarse_number_of_faces = p.given_coarse_number_of_faces.value_or(effort == Effort::FAST && !has_bound ? 3000 : 5000);
-  p.resolved_gain = effort == Effort::FAST && !has_bound ? 0.78 : 0.85;
+  p.coarse_number_of_faces = p.given_coarse_number_of_faces.value_or(5000);
+  p.resolved_gain = 0.85;
+  p.is_coarser_where_small = effort == Effort::FAST && !has_bound && !p.given_coarse_number_of_faces;
   p.number_of_corrective_solves = has_bound ? 8 : 0;
   p.moves_ends = false;
   p.opens_slits_first = has_bound && effort != Effort::FAST;
