@@ -86,7 +86,7 @@ def add_large_sphere():
 
 def check_result_and_undo():
     """Finishes; one Ctrl-Z takes it back."""
-    yield from start(effort='fast')
+    yield from start()
     yield from wait(lambda: layers() == 1)
     assert shown(), texts
     assert support.seams_of(bpy.context.object.data)
