@@ -49,9 +49,7 @@ inline std::vector<Eigen::Vector2d> moved_charts(const Corner_table& chart, cons
                                                  const std::vector<Chart_outline>& outlines, double factor,
                                                  const Packed_charts& packed, std::vector<Eigen::Vector2d> uv)
 {
-  std::vector<int> part_of_vertex(uv.size(), -1);
-  for(int h = 0; h < int(chart.opposites().size()); ++h)
-    part_of_vertex[chart.source(h)] = parts.part[h / 3];
+  const std::vector<int> part_of_vertex = Surface_mesh_parameterization::internal::parts_of_vertices(chart, parts);
   std::vector<Eigen::Matrix2d> turns;
   for(const Chart_motion& motion : packed.motions)
   {

@@ -26,32 +26,40 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// The map to return in `uv`: the running one, converged if it is not yet, and on request made
-// bijective.
-inline Newton_result final_map(const Problem& problem, const Open_chart& running, const Context& context,
-                               std::vector<Eigen::Vector2d>& uv)
+inline Newton_options final_options(const Context& context)
 {
   Newton_options options;
   options.decrement = mapping_policy(context.parameters).final_precision;
   options.go_further = context.control;
-  const Linear_solver_source& linear_solvers = *context.parameters.linear_solvers;
-  const std::vector<Eigen::Vector3d> points = chart_points(problem.mesh, running.chart);
-  Newton_result result;
+  return options;
+}
+
+// In `uv`, the running map, converged if it is not yet; it may overlap itself.
+inline Newton_result converged_map(const Problem& problem, const Open_chart& running, const Context& context,
+                                   std::vector<Eigen::Vector2d>& uv)
+{
+  const Newton_options options = final_options(context);
   uv = running.uv;
-  if(running.precision <= options.decrement)
-  {
-    result.outcome = Newton_outcome::CONVERGED;
-    result.energy = running.energy;
-  }
-  else
-    result
-      = Chart_parameterizer(running.chart, points, problem.shapes, linear_solvers, running.chart_ranks())
-          .improve_isometrically(uv, options);
+  if(running.precision > options.decrement)
+    return Chart_parameterizer(running.chart, chart_points(problem.mesh, running.chart), problem.shapes,
+                               *context.parameters.linear_solvers, running.chart_ranks())
+      .improve_isometrically(uv, options);
+  Newton_result result;
+  result.outcome = Newton_outcome::CONVERGED;
+  result.energy = running.energy;
+  return result;
+}
+
+// The same, on request made bijective: the map to return.
+inline Newton_result final_map(const Problem& problem, const Open_chart& running, const Context& context,
+                               std::vector<Eigen::Vector2d>& uv)
+{
+  const Newton_result converged = converged_map(problem, running, context, uv);
   if(!context.parameters.do_bijective)
-    return result;
-  return Surface_mesh_parameterization::internal::make_bijective(running.chart, points, problem.shapes,
-                                                                 linear_solvers, uv, result, options,
-                                                                 running.chart_ranks());
+    return converged;
+  return Surface_mesh_parameterization::internal::make_bijective(
+    running.chart, chart_points(problem.mesh, running.chart), problem.shapes, *context.parameters.linear_solvers, uv,
+    converged, final_options(context), running.chart_ranks());
 }
 
 } // namespace internal

@@ -107,11 +107,8 @@ public:
   void divide(const Working_cut& cut, Component_result& result) const
   {
     const Open_chart& running = cut.chart();
-    Cutting_parameters overlapping = m_context.parameters;
-    overlapping.do_bijective = false;
     Open_chart chart = running;
-    const Newton_result newton
-      = final_map(m_problem, running, Context{overlapping, m_context.control, m_context.clock}, chart.uv);
+    const Newton_result newton = converged_map(m_problem, running, m_context, chart.uv);
     const Chart_division division(m_problem, chart);
     if(newton.outcome == Newton_outcome::FAILED || !division.is_complete())
       return;

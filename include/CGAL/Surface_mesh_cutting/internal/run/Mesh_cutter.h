@@ -257,9 +257,7 @@ private:
     const Connected_parts parts(result.chart.opposites());
     if(parts.number == 1)
       return;
-    std::vector<int> part(result.uv.size(), -1); // of each vertex
-    for(int h = 0; h < int(result.chart.opposites().size()); ++h)
-      part[result.chart.source(h)] = parts.part[h / 3];
+    const std::vector<int> part = Surface_mesh_parameterization::internal::parts_of_vertices(result.chart, parts);
     using Box = Surface_mesh_parameterization::internal::Bounding_box<2>;
     std::vector<Box> boxes(parts.number);
     for(std::size_t v = 0; v < part.size(); ++v)

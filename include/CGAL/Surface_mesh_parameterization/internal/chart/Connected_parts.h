@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +64,15 @@ struct Connected_parts
     }
   }
 };
+
+// The part that each vertex belongs to; -1 for vertices of no triangle. No vertex is in two parts of a chart. O(n).
+inline std::vector<int> parts_of_vertices(const Corner_table& chart, const Connected_parts& parts)
+{
+  std::vector<int> result(chart.number_of_vertices(), -1);
+  for(int h = 0; h < int(chart.opposites().size()); ++h)
+    result[chart.source(h)] = parts.part[h / 3];
+  return result;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_parameterization
