@@ -29,7 +29,6 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
 {
   const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();
   p.coarse_number_of_faces = p.given_coarse_number_of_faces.value_or(5000);
-  p.resolved_gain = 0.85;
   p.is_coarser_where_small = effort == Effort::FAST && !has_bound && !p.given_coarse_number_of_faces;
   p.number_of_corrective_solves = has_bound ? 8 : 0;
   p.moves_ends = false;
