@@ -16,7 +16,7 @@ class Surface:
                 self.uvs.append(tuple(map(float, rest[:2])))
             elif word == "f":
                 corners = [[int(i) - 1 for i in corner.split("/")] for corner in rest]
-                for triangle in ([corners[0], *corners[k:k + 2]] for k in range(1, len(corners) - 1)):
+                for triangle in fan(corners):
                     self.faces.append([corner[0] for corner in triangle])
                     self.uv_faces.append([corner[1] for corner in triangle])
         self.cut, self.features = [], []  # of points
@@ -100,6 +100,11 @@ class Surface:
                 near = [normals[g] for g in around[v] if _dot(units[f], units[g]) > sharp]
                 mean = tuple(map(sum, zip(*near))) if near else (0, 0, 1)
                 yield _scaled(mean, 1 / (math.sqrt(_dot(mean, mean)) or 1))
+
+
+def fan(polygon):
+    """the triangles of a convex polygon"""
+    return [[polygon[0], *polygon[k:k + 2]] for k in range(1, len(polygon) - 1)]
 
 
 def read_off(file):

@@ -6,6 +6,8 @@ A panel draws into a cell of the picture; coordinates are in pixels.
 import math
 import subprocess
 
+from mesh_files import fan
+
 # from no distortion to much (after magma of matplotlib)
 DISTORTION_COLORS = [(252, 253, 191), (254, 196, 136), (252, 137, 97), (231, 82, 99), (183, 55, 121),
                      (131, 38, 129), (81, 18, 124), (29, 17, 71)]
@@ -68,7 +70,7 @@ def draw_faces(surface, cell, axes, faces, color):
     for face in faces:
         yield from (f"triangle {{ {', '.join(_vector(_flip(place(turn(surface.points[v])))) for v in corners)} "
                     f"pigment {{ {_color(color)} }} {LIT} translate <0, 0, -0.5> }}"
-                    for corners in ([face[0], *face[k:k + 2]] for k in range(1, len(face) - 1)))
+                    for corners in fan(face))
 
 
 def draw_layout(surface, cell, line=0.7):

@@ -2,6 +2,8 @@
 
 import math
 
+from mesh_files import fan
+
 
 def grid(columns, rows, point):
     """quadrilaterals over [0, 1] x [0, 1]"""
@@ -13,17 +15,18 @@ def grid(columns, rows, point):
 
 
 def welded(*soups):
-    """several soups as one, equal points as one"""
+    """several soups as one, equal points as one; corners that repeat the one before are dropped"""
     indices, faces = {}, []
     for points, polygons in soups:
         for polygon in polygons:
-            faces.append([indices.setdefault(tuple(round(x, 9) for x in points[v]), len(indices)) for v in polygon])
+            face = [indices.setdefault(tuple(round(x, 9) for x in points[v]), len(indices)) for v in polygon]
+            faces.append([v for k, v in enumerate(face) if v != face[k - 1]])
     return list(indices), faces
 
 
 def triangulated(soup):
     points, faces = soup
-    return points, [(f[0], *f[k:k + 2]) for f in faces for k in range(1, len(f) - 1)]
+    return points, [triangle for face in faces for triangle in fan(face)]
 
 
 def saddle():
@@ -42,16 +45,14 @@ def cones(sides=20, rows=6):
     def cone(sign):
         return grid(sides, rows, lambda x, y: (0.6 * y * math.cos(2 * math.pi * x), 0.6 * y * math.sin(2 * math.pi * x),
                                                sign * y))
-    points, faces = welded(cone(1), cone(-1))
-    return points, [[v for k, v in enumerate(f) if v != f[k - 1]] for f in faces]
+    return welded(cone(1), cone(-1))
 
 
-def turned(sides=24, rows=10):
+def turned(columns=12, rows=10):
     """A dome, some faces of which are turned over."""
-    points, faces = grid(sides // 2, rows, lambda x, y: (math.cos(math.pi * x), math.sin(math.pi * x) * math.cos(math.pi * y),
-                                                          math.sin(math.pi * x) * math.sin(math.pi * y)))
-    points, faces = welded((points, faces))
-    faces = [[v for k, v in enumerate(f) if v != f[k - 1]] for f in faces]
+    points, faces = welded(grid(columns, rows, lambda x, y: (math.cos(math.pi * x),
+                                                             math.sin(math.pi * x) * math.cos(math.pi * y),
+                                                             math.sin(math.pi * x) * math.sin(math.pi * y))))
     return points, [f[::-1] if (7 * i) % 11 < 3 else f for i, f in enumerate(faces)]
 
 
