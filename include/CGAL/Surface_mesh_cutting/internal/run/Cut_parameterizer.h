@@ -56,8 +56,10 @@ public:
       result.has_map = newton.outcome != Newton_outcome::FAILED;
       if(m_context.parameters.do_bijective && !m_context.parameters.use_published_method && !has_bound(m_context.parameters))
       {
-        constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
-        relieve(running, running.energy + tolerance, result);
+        constexpr double tolerance = 0.018;       // of the energy: less is not worth a longer cut
+        constexpr double largest_relieved = 1000; // a map that is more distorted is far from what slits lead to
+        if(result.energy < largest_relieved)
+          relieve(running, running.energy + tolerance, result);
         if(!result.has_map || result.energy > running.energy + tolerance)
           divide(cut, result);
       }
