@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
@@ -37,16 +38,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// A cut surface and a map of it without overlaps.
-struct Injective_cut
-{
-  Cut cut;
-  Corner_table chart;
-  std::vector<Eigen::Vector2d> uv;
-  double energy = 0;     // area-averaged
-  std::vector<int> tips; // of the slits that were opened
-};
 
 // Opens slits in maps without overlaps. Where parts of a chart are in each other's way, the map is more distorted than
 // one that may overlap: a slit lets them turn aside. Windows around a slit do not show that, since what turns is
@@ -104,19 +95,19 @@ private:
     constexpr double least_gain = 0.5; // per cost, relative to the best: with others opened, better ones are found
     const double least_gain_per_cost
       = m_context.parameters.opens_slits_first ? least_gain * trials.front().slit.gain_per_cost() : 0;
-    std::vector<int> edges, tips = cut.tips;
+    std::vector<int> edges, ends = cut.ends;
     double gain = 0;
     for(const Trial& t : trials)
     {
       if(t.slit.gain_per_cost() < least_gain_per_cost)
         continue;
       edges.insert(edges.end(), t.slit.edges.begin(), t.slit.edges.end());
-      tips.push_back(t.slit.tip);
+      ends.push_back(t.slit.tip);
       gain += t.slit.gain;
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    Injective_cut all = opened(cut, edges, std::move(tips));
+    Injective_cut all = opened(cut, edges, std::move(ends));
     if(cut.energy - all.energy < share * gain)
       return false;
     cut = std::move(all);
@@ -130,9 +121,9 @@ private:
     std::vector<Trial> trials;
     for(Slit& slit : proposals(cut))
     {
-      std::vector<int> tips = cut.tips;
-      tips.push_back(slit.tip);
-      Injective_cut trial = opened(cut, slit.edges, std::move(tips));
+      std::vector<int> ends = cut.ends;
+      ends.push_back(slit.tip);
+      Injective_cut trial = opened(cut, slit.edges, std::move(ends));
       slit.gain = cut.energy - (std::max)(trial.energy, goal);
       const bool is_enough = trial.energy <= goal;
       if(is_enough || slit.gain > least_gain)
@@ -191,11 +182,11 @@ private:
     return slits;
   }
 
-  Injective_cut opened(const Injective_cut& cut, const std::vector<int>& edges, std::vector<int> tips)
+  Injective_cut opened(const Injective_cut& cut, const std::vector<int>& edges, std::vector<int> ends)
   {
     using namespace Surface_mesh_parameterization::internal;
     Injective_cut result = cut;
-    result.tips = std::move(tips);
+    result.ends = std::move(ends);
     std::vector<int> halfedges;
     for(int e : edges)
     {

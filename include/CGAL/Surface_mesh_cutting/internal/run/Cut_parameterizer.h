@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_trimmer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
@@ -25,7 +26,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -79,7 +82,7 @@ public:
     result.cut = edges;
     result.length = cut_length(m_problem.mesh, edges);
     result.cost = cut_cost(m_problem.constraints, edges);
-    result.lower_bound = m_problem.is_opened ? 0 : cut_length(m_problem.mesh, m_problem.constraints.mandatory);
+    result.lower_bound = mandatory_length();
     if(cut.is_connected() && !m_problem.is_opened) // of whose opening no length is proven
       result.lower_bound += tree.lower_bound;
     result.is_optimal = !m_problem.is_opened && cut.is_connected() && tree.is_optimal && edges == tree.cut;
@@ -92,17 +95,21 @@ public:
   {
     if(!result.has_map || result.energy <= goal)
       return;
-    Injective_cut injective{std::move(result.cut), std::move(result.chart), std::move(result.uv), result.energy, {}};
+    const std::size_t former_ends = result.features.size();
+    Injective_cut injective = injective_cut(result);
     Injective_refiner(m_problem, m_context, overlapping).lower_to(goal, injective);
-    result.cut = std::move(injective.cut);
-    result.length = cut_length(m_problem.mesh, result.cut);
-    result.cost = cut_cost(m_problem.constraints, result.cut);
-    result.is_optimal = result.is_optimal && injective.tips.empty();
-    result.features.insert(result.features.end(), injective.tips.begin(), injective.tips.end());
-    std::sort(result.features.begin(), result.features.end());
-    result.chart = std::move(injective.chart);
-    result.uv = std::move(injective.uv);
-    result.energy = injective.energy;
+    result.is_optimal = result.is_optimal && injective.ends.size() == former_ends;
+    take(std::move(injective), result);
+  }
+
+  // Closes what the cut does not need for the map without overlaps to keep the bound.
+  void trim(double bound, Component_result& result) const
+  {
+    Injective_cut injective = injective_cut(result);
+    Injective_trimmer(m_problem, m_context).trim(bound, injective);
+    result.lower_bound = mandatory_length(); // that of a tree was one through ends that may be gone
+    result.is_optimal = false;
+    take(std::move(injective), result);
   }
 
   // Replaces a map without overlaps by the running one, divided into several charts, where that is worth the longer cut.
@@ -128,6 +135,30 @@ public:
   }
 
 private:
+  // Of what is cut in any case; of what opens a surface, no length is proven.
+  double mandatory_length() const
+  {
+    return m_problem.is_opened ? 0 : cut_length(m_problem.mesh, m_problem.constraints.mandatory);
+  }
+
+  static Injective_cut injective_cut(Component_result& result)
+  {
+    return {std::move(result.cut), std::move(result.chart), std::move(result.uv), result.energy,
+            std::move(result.features)};
+  }
+
+  void take(Injective_cut injective, Component_result& result) const
+  {
+    result.cut = std::move(injective.cut);
+    result.length = cut_length(m_problem.mesh, result.cut);
+    result.cost = cut_cost(m_problem.constraints, result.cut);
+    result.features = std::move(injective.ends);
+    std::sort(result.features.begin(), result.features.end());
+    result.chart = std::move(injective.chart);
+    result.uv = std::move(injective.uv);
+    result.energy = injective.energy;
+  }
+
   // Where a map lies in so many layers, nobody needs to try one in one piece: at best, it would be distorted beyond use.
   bool divide_at_once(const Working_cut& cut, Component_result& result) const
   {

@@ -157,6 +157,7 @@ private:
       m_parameterizer.relieve(refiner.cut().chart(), bound, relieved);
       if(relieved.has_map && relieved.energy <= bound)
       {
+        m_parameterizer.trim(bound, relieved);
         result = std::move(relieved);
         return;
       }

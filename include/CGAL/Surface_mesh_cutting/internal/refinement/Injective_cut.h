@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_CUT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_CUT_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A cut surface and a map of it without overlaps.
+struct Injective_cut
+{
+  Cut cut;
+  Corner_table chart;
+  std::vector<Eigen::Vector2d> uv;
+  double energy = 0;     // area-averaged
+  std::vector<int> ends; // of its paths
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_REFINEMENT_INJECTIVE_CUT_H
