@@ -159,6 +159,11 @@ public:
       if(is_far)
         reduce_distortion_to(bound);
       ++number_of_failures;
+      if(search.best() && search.best()->cost < best.cost)
+      {
+        best = *search.best();
+        number_of_failures = 0;
+      }
       if(m_cut.energy() <= bound && m_cut.cost() < best.cost)
       {
         best = m_cut.state();

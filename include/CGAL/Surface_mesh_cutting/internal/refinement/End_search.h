@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,10 @@ public:
       m_cost_at_bound.compare_with(m_cut.energy());
       Mapped_cut former = m_cut.state();
       if(move_end(part, former, is_done) && (!m_keeps_tree || reconnect(former)))
+      {
         m_cost_at_bound.adapt(m_cut.energy());
+        keep_best();
+      }
       else
         m_cut.restore(std::move(former));
     }
@@ -90,7 +94,19 @@ public:
     }
   }
 
+  // The cheapest cut at the bound that the search has come by, if any.
+  const std::optional<Mapped_cut>& best() const { return m_best; }
+
+  // Whether the surface is not too large.
+  bool can_move() const { return maximum_number_of_ends() > 0; }
+
 private:
+  void keep_best()
+  {
+    if(m_cut.energy() <= m_parameters.maximum_average_distortion && (!m_best || m_cut.cost() < m_best->cost))
+      m_best = m_cut.state();
+  }
+
   // Each takes solves of the whole surface: fewer on large ones, and none on the largest.
   int maximum_number_of_ends() const
   {
@@ -111,12 +127,13 @@ private:
     return inner;
   }
 
-  double cost_at_bound() const { return m_cost_at_bound(m_cut.cost(), m_cut.energy()); }
-
+  // Of the map that counts, if the running map leaves a chance: its energy is known, and no higher.
   bool is_better_than(const Mapped_cut& former) const
   {
-    return m_cost_at_bound.can_tell(m_cut.energy()) &&
-           cost_at_bound() < worthwhile * m_cost_at_bound(former.cost, former.chart.energy);
+    const double limit = worthwhile * m_cost_at_bound(former.cost, former.energy());
+    const auto is_below = [&](double energy)
+    { return m_cost_at_bound.can_tell(energy) && m_cost_at_bound(m_cut.cost(), energy) < limit; };
+    return is_below(m_cut.running_energy()) && is_below(m_cut.energy());
   }
 
   // Closes the part and opens what gains most instead, if anything, which is done then. False if the former cut is
@@ -136,7 +153,7 @@ private:
     return is_better_than(former);
   }
 
-  // The slit that makes the cut cheapest at the bound; the tip is -1 if none does.
+  // The slit that makes the cut cheapest at the bound, by the running map; the tip is -1 if none does.
   Slit best_slit(const Branch_removal& part, double former_energy)
   {
     constexpr int number_of_far_ends = 3;
@@ -150,11 +167,11 @@ private:
     const double factor = gain_over_estimate(part, former_energy);
     const double least = ideal + least_energy * (former_energy - ideal);
     Slit best;
-    double best_cost = cost_at_bound();
+    double best_cost = m_cost_at_bound(m_cut.cost(), m_cut.running_energy());
     for(Slit& slit : slits)
     {
       slit.gain = factor * m_cut.map().estimate_gain(slit.edges);
-      const double cost = m_cost_at_bound(m_cut.cost() + slit.cost, (std::max)(least, m_cut.energy() - slit.gain));
+      const double cost = m_cost_at_bound(m_cut.cost() + slit.cost, (std::max)(least, m_cut.running_energy() - slit.gain));
       if(cost < best_cost)
       {
         best_cost = cost;
@@ -171,7 +188,7 @@ private:
     const double estimate = m_cut.map().estimate_gain(part.edges);
     if(!(estimate > 0))
       return 1;
-    return (std::min)((std::max)((m_cut.energy() - former_energy) / estimate, least), largest);
+    return (std::min)((std::max)((m_cut.running_energy() - former_energy) / estimate, least), largest);
   }
 
   // Takes the tree through the features instead. False if the former cut is better.
@@ -191,6 +208,7 @@ private:
   Branch_removal_search m_removals;
   Slit_search m_slits;
   Length_at_bound m_cost_at_bound;
+  std::optional<Mapped_cut> m_best;
 };
 
 } // namespace internal

@@ -24,14 +24,20 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// A cut surface and a map of it without overlaps.
+// A map without overlaps.
+struct Injective_map
+{
+  std::vector<Eigen::Vector2d> uv;
+  double energy = 0; // area-averaged
+};
+
+// A cut surface and its map.
 struct Injective_cut
 {
   Cut cut;
   Corner_table chart;
-  std::vector<Eigen::Vector2d> uv;
-  double energy = 0;     // area-averaged
-  std::vector<int> ends; // of its paths
+  Injective_map map;
+  std::vector<int> ends; // of the paths of the cut
 };
 
 } // namespace internal

@@ -58,7 +58,7 @@ public:
   bool lower_to(double goal, Injective_cut& cut)
   {
     constexpr double enough_solved_faces = 2e6; // one for each triangle in each factorization: some ten seconds
-    while(cut.energy > goal)
+    while(cut.map.energy > goal)
       if(m_number_of_solved_faces > enough_solved_faces || !m_context.control.go_further() || !open_best(goal, cut))
         return false;
     return true;
@@ -82,7 +82,7 @@ private:
       trials = useful_trials(goal, cut);
     if(trials.empty())
       return false;
-    if(trials.size() == 1 || cut.energy - goal < far * trials.front().slit.gain || !open_all(trials, cut))
+    if(trials.size() == 1 || cut.map.energy - goal < far * trials.front().slit.gain || !open_all(trials, cut))
       cut = std::move(trials.front().cut);
     return true;
   }
@@ -108,7 +108,7 @@ private:
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     Injective_cut all = opened(cut, edges, std::move(ends));
-    if(cut.energy - all.energy < share * gain)
+    if(cut.map.energy - all.map.energy < share * gain)
       return false;
     cut = std::move(all);
     return true;
@@ -124,8 +124,8 @@ private:
       std::vector<int> ends = cut.ends;
       ends.push_back(slit.tip);
       Injective_cut trial = opened(cut, slit.edges, std::move(ends));
-      slit.gain = cut.energy - (std::max)(trial.energy, goal);
-      const bool is_enough = trial.energy <= goal;
+      slit.gain = cut.map.energy - (std::max)(trial.map.energy, goal);
+      const bool is_enough = trial.map.energy <= goal;
       if(is_enough || slit.gain > least_gain)
         trials.push_back({std::move(slit), std::move(trial)});
       else
@@ -143,7 +143,7 @@ private:
   std::vector<Slit> proposals(const Injective_cut& cut)
   {
     constexpr std::size_t number_of_each = 2;
-    const std::vector<double> distortion = vertex_distortion(cut.chart, cut.uv);
+    const std::vector<double> distortion = vertex_distortion(cut.chart, cut.map.uv);
     std::vector<double> excess = distortion;
     for(std::size_t v = 0; v < excess.size(); ++v)
       excess[v] += Symmetric_Dirichlet_energy::ideal - m_reference[v];
@@ -170,8 +170,8 @@ private:
     Open_chart chart;
     chart.cut = cut.cut;
     chart.chart = cut.chart;
-    chart.uv = cut.uv;
-    chart.energy = cut.energy;
+    chart.uv = cut.map.uv;
+    chart.energy = cut.map.energy;
     map.restore(std::move(chart));
     std::vector<Slit> slits = m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_windows);
     for(Slit& slit : slits)
@@ -193,7 +193,7 @@ private:
       result.cut[e] = 1;
       halfedges.push_back(m_problem.mesh.halfedge(e));
     }
-    open_injectively(halfedges, result.chart, result.uv);
+    open_injectively(halfedges, result.chart, result.map.uv);
     Scaffold_options options;
     options.decrease = 4e-4; // the slit is narrow at first, and what it gains comes late
     options.maximum_rounds = 6;
@@ -202,9 +202,9 @@ private:
         options.ranks.push_back(m_ranks[origin]);
     options.go_further = m_context.control;
     const Newton_result newton = Scaffold_minimization(result.chart, m_problem.shapes,
-                                                       *m_context.parameters.linear_solvers, options)(result.uv);
+                                                       *m_context.parameters.linear_solvers, options)(result.map.uv);
     m_number_of_solved_faces += double(newton.iterations) * m_problem.mesh.number_of_faces();
-    result.energy = is_bijective(result.chart, result.uv) ? newton.energy : std::numeric_limits<double>::infinity();
+    result.map.energy = is_bijective(result.chart, result.map.uv) ? newton.energy : std::numeric_limits<double>::infinity();
     return result;
   }
 

@@ -51,7 +51,7 @@ public:
   {
     constexpr double worthwhile = 0.1; // of epsilon_len: removing less is not worth a map
     const double least = worthwhile * m_context.parameters.connection.minimum_length_decrease;
-    const auto allowed_energy = [&](double cost) { return cost < least ? 0 : bound - cut.energy; };
+    const auto allowed_energy = [&](double cost) { return cost < least ? 0 : bound - cut.map.energy; };
     int parts_left = maximum_number_of_parts();
     if(parts_left == 0 || !m_map.initialize(cut.cut))
       return;
@@ -62,8 +62,8 @@ public:
         return;
       Open_chart former = m_map.state();
       Injective_cut shorter = closed(part, bound, cut);
-      m_parts.remember(part, shorter.energy - cut.energy);
-      if(shorter.energy <= bound)
+      m_parts.remember(part, shorter.map.energy - cut.map.energy);
+      if(shorter.map.energy <= bound)
         cut = std::move(shorter);
       else
         m_map.restore(std::move(former));
@@ -74,7 +74,7 @@ private:
   // Each takes two solves of the whole surface: fewer on large ones, and none on the largest.
   int maximum_number_of_parts() const
   {
-    constexpr int enough_parts = 24, enough_faces = 120000;
+    constexpr int enough_parts = 8, enough_faces = 120000;
     return (std::min)(enough_parts, enough_faces / m_problem.mesh.number_of_faces());
   }
 
@@ -82,7 +82,7 @@ private:
   Injective_cut closed(const Branch_removal& part, double bound, const Injective_cut& cut)
   {
     Injective_cut result;
-    result.energy = std::numeric_limits<double>::infinity();
+    result.map.energy = std::numeric_limits<double>::infinity();
     result.cut = cut.cut;
     for(int e : part.edges)
       result.cut[e] = 0;
@@ -91,9 +91,9 @@ private:
       result.ends.push_back(part.new_tip);
     if(!m_map.initialize(result.cut, bound))
       return result;
-    const Newton_result newton = final_map(m_problem, m_map.state(), m_context, result.uv);
+    const Newton_result newton = final_map(m_problem, m_map.state(), m_context, result.map.uv);
     if(newton.outcome != Newton_outcome::FAILED)
-      result.energy = newton.energy;
+      result.map.energy = newton.energy;
     result.chart = m_map.chart();
     return result;
   }

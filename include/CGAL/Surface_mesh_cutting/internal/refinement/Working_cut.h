@@ -19,10 +19,13 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,6 +41,9 @@ struct Mapped_cut
   bool is_connected = false; // whether the tree is one through the features; it was one through earlier ones
   double cost = 0;           // of the cut of the chart
   Open_chart chart;
+  std::optional<Injective_map> injective; // if that is what counts
+
+  double energy() const { return injective ? injective->energy : chart.energy; }
 };
 
 // A mapped cut in work: its pieces are opened and closed, and its features connected anew. Each state is a valid cut
@@ -50,7 +56,7 @@ class Working_cut
 public:
   // The references are kept.
   Working_cut(const Problem& problem, const Context& context)
-    : m_problem(problem), m_control(context.control),
+    : m_problem(problem), m_context(context), m_control(context.control),
       m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control)
   {}
 
@@ -62,7 +68,9 @@ public:
   const Cut& cut() const { return m_map.cut(); }
   Incremental_parameterization& map() { return m_map; }
   double cost() const { return m_cost; }
-  double energy() const { return m_map.energy(); }
+  // Of the map that counts: the running one, or that without overlaps.
+  double energy() const { return m_is_injective ? injective().energy : m_map.energy(); }
+  double running_energy() const { return m_map.energy(); }
   // All cuts that were mapped.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
@@ -100,12 +108,34 @@ public:
   // Takes another cut through the features and its map.
   void replace(Open_chart chart)
   {
+    m_injective.reset();
     m_cost = cut_cost(m_problem.constraints, chart.cut);
     m_map.restore(std::move(chart));
     record();
   }
 
-  Mapped_cut state() const { return {m_features, m_tree, m_is_connected, m_cost, m_map.state()}; }
+  // Takes a cut and its map without overlaps, which counts from here on. False as for map_tree().
+  bool start_injectively(const Injective_cut& cut)
+  {
+    m_is_injective = true;
+    m_features = cut.ends;
+    m_is_connected = false;
+    m_cost = cut_cost(m_problem.constraints, cut.cut);
+    if(!map(cut.cut, infinity, m_map.policy().precision))
+      return false;
+    m_injective = cut.map;
+    for(int c = 0; c < 3 * m_problem.mesh.number_of_faces(); ++c) // the chart may be numbered otherwise
+      m_injective->uv[chart().chart.source(c)] = cut.map.uv[cut.chart.source(c)];
+    return true;
+  }
+
+  Mapped_cut state() const
+  {
+    Mapped_cut result{m_features, m_tree, m_is_connected, m_cost, m_map.state(), std::nullopt};
+    if(m_is_injective)
+      result.injective = injective();
+    return result;
+  }
 
   void restore(Mapped_cut state)
   {
@@ -113,6 +143,7 @@ public:
     m_tree = std::move(state.tree);
     m_is_connected = state.is_connected;
     m_cost = state.cost;
+    m_injective = std::move(state.injective);
     m_map.restore(std::move(state.chart));
   }
 
@@ -121,6 +152,7 @@ public:
   {
     const double before = m_map.energy();
     m_map.open(slit.edges);
+    m_injective.reset();
     if(!(m_map.energy() < before))
       return false;
     m_features.push_back(slit.tip);
@@ -146,17 +178,34 @@ public:
 private:
   bool map(const Cut& cut, double bound, double precision)
   {
+    m_injective.reset();
     if(!m_map.initialize(cut, bound, precision))
       return false;
     record();
     return true;
   }
 
+  // Known once there was need for it: it takes longer than the running map.
+  const Injective_map& injective() const
+  {
+    if(!m_injective)
+    {
+      m_injective.emplace();
+      const Newton_result newton = final_map(m_problem, m_map.state(), m_context, m_injective->uv);
+      m_injective->energy = newton.outcome == Newton_outcome::FAILED ? infinity : newton.energy;
+    }
+    return *m_injective;
+  }
+
+  // Of maps that may overlap.
   void record() { m_trade_offs.push_back({cut_length(m_problem.mesh, m_map.cut()), m_cost, m_map.energy()}); }
 
   const Problem& m_problem;
+  const Context m_context;
   Run_control& m_control;
   Incremental_parameterization m_map;
+  bool m_is_injective = false;
+  mutable std::optional<Injective_map> m_injective; // of the present cut
   std::vector<int> m_features;
   Connected_cut m_tree;
   bool m_is_connected = false;

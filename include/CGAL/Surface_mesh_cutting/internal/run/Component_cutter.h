@@ -69,11 +69,13 @@ public:
     if(!failed.status)
       return failed;
     std::vector<Component_result> results;
+    const std::vector<Component_result> none;
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
       runs[i].adapt_to_size(m_problem.mesh.number_of_faces());
       const Start_run<ConcurrencyTag> run_with(m_problem, Context{runs[i], m_context.control, m_context.clock});
-      Component_result result = run_with(0, needs_uv || runs.size() > 1);
+      const bool is_other_start = i > 0 && runs.size() <= seeds.size(); // and the rest is the same
+      Component_result result = run_with(0, needs_uv || runs.size() > 1, is_other_start ? results : none);
       if(!result.has_cut && results.empty())
         return result;
       if(result.has_cut)

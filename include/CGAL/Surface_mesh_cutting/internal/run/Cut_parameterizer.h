@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/End_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_trimmer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
@@ -112,6 +113,26 @@ public:
     take(std::move(injective), result);
   }
 
+  // Moves ends of a cut whose map without overlaps keeps the bound, by the energy of that map: where parts are in each
+  // other's way, cuts that hardly differ need more room or less. What ends above the bound is relieved once more.
+  void move_ends(double bound, Component_result& result) const
+  {
+    constexpr double step = 0.1; // of the length of the cut
+    Working_cut cut(m_problem, m_context);
+    End_search<ConcurrencyTag> search(m_problem, m_context.parameters, false, cut);
+    Component_result former = result;
+    if(!search.can_move() || !cut.start_injectively(injective_cut(former)))
+      return;
+    search.move_ends(step);
+    Component_result moved = result;
+    take_injective(cut.state(), moved);
+    relieve(cut.chart(), bound, moved);
+    if(search.best() && (moved.energy > bound || moved.cost > search.best()->cost))
+      take_injective(*search.best(), moved);
+    if(moved.energy <= bound && moved.cost < result.cost)
+      result = std::move(moved);
+  }
+
   // Replaces a map without overlaps by the running one, divided into several charts, where that is worth the longer cut.
   void divide(const Working_cut& cut, Component_result& result) const
   {
@@ -143,8 +164,15 @@ private:
 
   static Injective_cut injective_cut(Component_result& result)
   {
-    return {std::move(result.cut), std::move(result.chart), std::move(result.uv), result.energy,
+    return {std::move(result.cut), std::move(result.chart), {std::move(result.uv), result.energy},
             std::move(result.features)};
+  }
+
+  void take_injective(const Mapped_cut& cut, Component_result& result) const
+  {
+    result.lower_bound = mandatory_length(); // that of a tree was one through other ends
+    result.is_optimal = false;
+    take({cut.chart.cut, cut.chart.chart, *cut.injective, cut.features}, result);
   }
 
   void take(Injective_cut injective, Component_result& result) const
@@ -155,8 +183,8 @@ private:
     result.features = std::move(injective.ends);
     std::sort(result.features.begin(), result.features.end());
     result.chart = std::move(injective.chart);
-    result.uv = std::move(injective.uv);
-    result.energy = injective.energy;
+    result.uv = std::move(injective.map.uv);
+    result.energy = injective.map.energy;
   }
 
   // Where a map lies in so many layers, nobody needs to try one in one piece: at best, it would be distorted beyond use.

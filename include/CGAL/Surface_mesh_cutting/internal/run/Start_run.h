@@ -41,13 +41,18 @@ public:
       m_parameterizer(problem, context), m_is_coarsened(is_coarsened(problem, context.parameters))
   {}
 
-  Component_result operator()(int start, bool needs_map) const
+  // There is no cut if the features are those of one of `others`, from another start with the same parameters.
+  Component_result operator()(int start, bool needs_map, const std::vector<Component_result>& others = {}) const
   {
     Component_result result;
     Detected_features detected = detect_features<ConcurrencyTag>(m_problem, start, m_context);
     result.status = detected.status;
     result.number_of_candidates = detected.number_of_candidates;
+    result.detected_features = detected.features;
     result.add(detected.trade_offs);
+    if(std::any_of(others.begin(), others.end(), [&](const Component_result& other)
+                   { return other.detected_features == detected.features; }))
+      return result;
     if(!result.status)
     {
       if(detected.is_refined && !m_is_coarsened) // the search was stopped, and had a cut
@@ -157,7 +162,7 @@ private:
       m_parameterizer.relieve(refiner.cut().chart(), bound, relieved);
       if(relieved.has_map && relieved.energy <= bound)
       {
-        m_parameterizer.trim(bound, relieved);
+        shorten_without_overlaps(relieved);
         result = std::move(relieved);
         return;
       }
@@ -170,6 +175,15 @@ private:
     m_parameterizer.divide(refiner.cut(), divided);
     if(divided.energy <= bound && (result.energy > bound || divided.cost < result.cost))
       result = std::move(divided);
+  }
+
+  // Slits gain in whole paths, and other branches contribute less then.
+  void shorten_without_overlaps(Component_result& result) const
+  {
+    const double bound = m_parameters.maximum_average_distortion;
+    m_parameterizer.trim(bound, result);
+    if(m_parameters.moves_ends && rounds_of_moved_ends() > 0)
+      m_parameterizer.move_ends(bound, result);
   }
 
   void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const
