@@ -82,6 +82,7 @@ void check_topology(const Collapsible_chart& chart, const std::set<int>& vertice
 void test_collapses(const Corner_table& chart, CGAL::Random& random)
 {
   Collapsible_chart collapsible(chart);
+  Collapse_log log;
   std::set<int> vertices;
   for(const Triangle& t : chart.triangles())
     vertices.insert(t.begin(), t.end());
@@ -103,16 +104,16 @@ void test_collapses(const Corner_table& chart, CGAL::Random& random)
     }
     failures = 0;
     states.emplace_back(collapsible, vertices, n);
-    collapsible.collapse(v, fan, ring, j);
+    collapsible.collapse(v, fan, ring, j, log);
     collapsed.push_back(v);
     vertices.erase(v);
     check_topology(collapsible, vertices, characteristic);
   }
-  assert(collapsible.number_of_collapses() == int(collapsed.size()));
+  assert(log.size() == int(collapsed.size()));
   assert(2 * collapsed.size() > vertices.size());
   while(!collapsed.empty())
   {
-    assert(collapsible.undo() == collapsed.back());
+    assert(collapsible.undo(log) == collapsed.back());
     vertices.insert(collapsed.back());
     assert(State(collapsible, vertices, n) == states.back());
     collapsed.pop_back();
@@ -148,6 +149,37 @@ void test_hierarchy(const Test_surface& surface)
     assert(count_flips(surface.chart.triangles(), uv) == 0 && hierarchy.is_complete());
 }
 
+// The finest stages of a large chart are made in regions: the same ones with one thread and with several.
+void test_regions(const Test_surface& surface, bool keeps_region)
+{
+  const int n = int(surface.points.size());
+  std::vector<Eigen::Vector2d> maps[2];
+  for(const Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL})
+  {
+    Chart_hierarchy hierarchy(surface.chart, surface.points, keeps_region, execution);
+    const int size = hierarchy.coarsen(250, Coarsening::IN_REGIONS);
+    assert(size <= 300 && size == hierarchy.number_of_vertices());
+    std::vector<Eigen::Vector2d>& uv = maps[execution == Execution::PARALLEL];
+    uv.assign(n, Eigen::Vector2d::Zero());
+    for(int number = size; number < n; number = hierarchy.number_of_vertices())
+    {
+      const Chart_hierarchy::Stage stage = hierarchy.stage();
+      assert(int(stage.vertices.size()) == hierarchy.number_of_vertices() && int(stage.vertices.size()) >= number);
+      assert(stage.chart.euler_characteristic() == surface.chart.euler_characteristic());
+      std::vector<Eigen::Vector2d> stage_uv = restricted(uv, stage.vertices);
+      if(number == size)
+        assert(tutte_map(stage.chart, stage.points, surface_area(stage.shapes), linear_solvers, stage_uv));
+      assert(count_flips(stage.chart.triangles(), stage_uv) == 0);
+      extend(stage_uv, stage.vertices, uv);
+      const bool is_extended = hierarchy.refine_to<Symmetric_Dirichlet_energy>(4 * number, uv);
+      assert(is_extended);
+    }
+    assert(hierarchy.is_complete() && hierarchy.number_of_vertices() == n);
+    assert(count_flips(surface.chart.triangles(), uv) == 0);
+  }
+  assert(maps[0] == maps[1]);
+}
+
 int main()
 {
   CGAL::Random random(5);
@@ -168,4 +200,7 @@ int main()
     test_hierarchy<Symmetric_Dirichlet_energy>(hills);
     test_hierarchy<Symmetric_Dirichlet_energy>(sphere);
   }
+  const Test_surface large = make_hills(160, 140, random);
+  test_regions(large, false);
+  test_regions(large, true);
 }

@@ -33,15 +33,18 @@ struct Coarse_mesh
 
   // Has about `number_of_vertices` vertices, or as many as are needed to keep the topology, and the kept ones.
   // O(n log n).
-  Coarse_mesh(const Indexed_mesh& fine, int number_of_vertices, const std::vector<int>& kept)
+  Coarse_mesh(const Indexed_mesh& fine, int number_of_vertices, const std::vector<int>& kept,
+              Surface_mesh_parameterization::internal::Execution execution)
   {
     using Surface_mesh_parameterization::internal::Chart_hierarchy;
+    using Surface_mesh_parameterization::internal::Coarsening;
     const Corner_table chart(fine.triangles(), fine.opposites(), fine.number_of_vertices());
-    Chart_hierarchy hierarchy(chart, fine.points());
+    constexpr bool keeps_region = false;
+    Chart_hierarchy hierarchy(chart, fine.points(), keeps_region, execution);
     std::vector<char> is_kept(fine.number_of_vertices(), 0);
     for(int v : kept)
       is_kept[v] = 1;
-    hierarchy.coarsen(number_of_vertices + int(kept.size()), is_kept);
+    hierarchy.coarsen(number_of_vertices + int(kept.size()), Coarsening::BY_ERROR, is_kept);
     Chart_hierarchy::Stage stage = hierarchy.stage();
     mesh = Indexed_mesh(std::move(stage.points), stage.chart.triangles(), stage.chart.opposites());
     vertices = std::move(stage.vertices);

@@ -41,7 +41,7 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
   const int handles = 1 - Corner_table(fine.mesh.triangles(), fine.mesh.opposites(),
                                        fine.mesh.number_of_vertices()).euler_characteristic() / 2;
   const int number_of_faces = (std::max)(context.parameters.coarse_number_of_faces, faces_per_handle * handles);
-  const Coarse_mesh coarse(disk, number_of_faces / 2, {});
+  const Coarse_mesh coarse(disk, number_of_faces / 2, {}, context.parameters.linear_solvers->execution());
   const Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
                         coarse_constraints(disk, constraints, coarse, {}), {}, Initial_cut(), false};
   const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);

@@ -93,7 +93,8 @@ Detected_features find_on_coarse_mesh(const Problem& fine, const Context& contex
   const Coarse_mesh coarse = [&]
   {
     const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
-    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals);
+    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals,
+                       context.parameters.linear_solvers->execution());
   }();
   const std::vector<int> terminals = coarse.find(fine.terminals);
   Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),

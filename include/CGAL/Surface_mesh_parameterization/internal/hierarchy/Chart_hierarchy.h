@@ -14,7 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_regions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_simplification.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Flip_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/star_placement.h>
@@ -22,12 +24,18 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
+
+// Where vertices go first. BY_ERROR: where that changes the shape least, for a coarse stage that stands for the whole.
+// IN_REGIONS: at first everywhere alike, in the regions of a large chart at the same time, in a fraction of the time, for
+// stages that only lead to the next one.
+enum class Coarsening { BY_ERROR, IN_REGIONS };
 
 // A chart at all resolutions between a few triangles and its own: half-edge collapses (border only
 // along the border), undone one after the other with the vertex placed inside the kernel of its
@@ -38,18 +46,28 @@ public:
   // `points`: the position of each chart vertex on the surface. With `keeps_region`, the image of
   // each stage lies inside that of the coarser one, so that refining an injective map keeps it so.
   Chart_hierarchy(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                  bool keeps_region = false)
-    : m_chart(chart), m_points(points), m_keeps_region(keeps_region),
+                  bool keeps_region = false, Execution execution = Execution::SEQUENTIAL)
+    : m_chart(chart), m_points(points), m_keeps_region(keeps_region), m_execution(execution),
       m_minimal_edge(minimal_edge(chart.triangles(), points))
-  {}
-
-  // Collapses down to about `size` vertices; those with `is_kept` (empty: none) stay. Returns the number of vertices
-  // that are left.
-  int coarsen(int size, const std::vector<char>& is_kept = {})
   {
-    Chart_simplification simplification(m_chart, m_points, m_keeps_region);
-    simplification.reduce_to(size, is_kept);
-    m_number_of_vertices = simplification.number_of_vertices();
+    for(int v = 0; v < int(points.size()); ++v)
+      m_number_of_vertices += m_chart.is_used(v);
+  }
+
+  // Collapses down to about `size` vertices; those with `is_kept` (empty: none) stay. Call once. Returns the number of
+  // vertices that are left.
+  int coarsen(int size, Coarsening coarsening = Coarsening::BY_ERROR, const std::vector<char>& is_kept = {})
+  {
+    std::vector<char> may_go(m_points.size());
+    for(int v = 0; v < int(m_points.size()); ++v)
+      may_go[v] = m_chart.is_used(v) && (is_kept.empty() || !is_kept[v]);
+    std::vector<Quadric> quadrics = vertex_quadrics(m_chart, m_points, m_execution);
+    std::vector<char> is_stale(m_points.size(), 0);
+    Chart_simplification simplification(m_chart, m_points, m_keeps_region, quadrics, is_stale);
+    if(coarsening == Coarsening::IN_REGIONS)
+      coarsen_regions(size, simplification, may_go);
+    simplification.reduce_by(m_number_of_vertices - size, marked(may_go), m_log, m_execution);
+    m_number_of_vertices -= m_log.size();
     return m_number_of_vertices;
   }
 
@@ -57,12 +75,12 @@ public:
   // flips remain.
   bool collapse_flips(const std::vector<Eigen::Vector2d>& uv)
   {
-    const bool is_flip_free = Flip_collapse(m_chart, uv)();
-    m_number_of_vertices = int(m_points.size()) - m_chart.number_of_collapses();
+    const bool is_flip_free = Flip_collapse(m_chart, uv, m_log)();
+    m_number_of_vertices -= m_log.size();
     return is_flip_free;
   }
 
-  bool is_complete() const { return m_chart.number_of_collapses() == 0; }
+  bool is_complete() const { return m_log.size() == 0 && number_of_collapses_in_regions() == 0; }
   int number_of_vertices() const { return m_number_of_vertices; }
 
   // The current stage as a chart of its own.
@@ -111,68 +129,156 @@ public:
     return s;
   }
 
-  // Undoes collapses until `size` vertices are there, extending the flip-free map `uv` (over the
-  // vertices of the whole chart). False if a star has no kernel in floating point; then that
-  // collapse alone is undone and `uv` is not valid.
+  // Undoes collapses until `size` vertices or a few more are there, extending the flip-free map `uv` (over the
+  // vertices of the whole chart). False if a star has no kernel in floating point; then `uv` is not valid.
   template <typename Energy>
   bool refine_to(int size, std::vector<Eigen::Vector2d>& uv)
   {
-    Star_placement<Energy> place;
-    std::vector<int> placed;
-    while(m_number_of_vertices < size && m_chart.number_of_collapses() > 0)
-    {
-      placed.push_back(m_chart.undo());
-      ++m_number_of_vertices;
-      collect_star(placed.back(), uv, [this](int h) { return shape(h); });
-      if(!place(m_star, uv[placed.back()]))
-        return false;
-    }
-    improve<Energy>(placed, uv);
+    Refinement<Energy> whole(*this, uv);
+    const bool is_extended = whole.undo((std::max)(0, m_log.size() - (std::max)(0, size - m_number_of_vertices)), m_log);
+    m_number_of_vertices += whole.number_of_placed();
+    if(!is_extended)
+      return false;
+    std::vector<Refinement<Energy> > regions(m_logs_of_regions.size(), Refinement<Energy>(*this, uv));
+    if(m_number_of_vertices < size && !undo_in_regions(size, regions))
+      return false;
+    const std::vector<Rest_shape> shapes = shapes_of_triangles(); // each is needed for several stars and rounds
+    whole.improve(shapes);
+    execute(m_execution, int(regions.size()), [&](int r) { regions[r].improve(shapes); });
     return true;
   }
 
 private:
-  // The stars of vertices have changed since they were placed: further rounds take out what would hold up the global
-  // solve.
+  // Undoes the collapses of a log.
   template <typename Energy>
-  void improve(const std::vector<int>& placed, std::vector<Eigen::Vector2d>& uv)
+  class Refinement
   {
-    constexpr int number_of_rounds = 2;
-    std::vector<Rest_shape> shapes(m_chart.triangles().size()); // each is needed for several stars and rounds
-    for(int t = 0; t < int(shapes.size()); ++t)
-      if(!m_chart.is_dormant(t))
-        shapes[t] = shape(3 * t);
-    const auto shape_from = [&shapes](int h)
+  public:
+    Refinement(Chart_hierarchy& hierarchy, std::vector<Eigen::Vector2d>& uv) : m_hierarchy(&hierarchy), m_uv(&uv) {}
+
+    int number_of_placed() const { return int(m_placed.size()); }
+
+    // Until so many collapses are left.
+    bool undo(int number_left, Collapse_log& log)
     {
-      const Rest_shape& s = shapes[h / 3];
-      return h % 3 == 0 ? s : h % 3 == 1 ? Rest_shape{s.g1, s.g2, s.g0, s.area} : Rest_shape{s.g2, s.g0, s.g1, s.area};
-    };
-    for(int round = 0; round < number_of_rounds; ++round)
-      for(int v : placed)
-        if(!m_keeps_region || !m_chart.is_on_border(v))
-        {
-          collect_star(v, uv, shape_from);
-          Star_placement<Energy>::improve(m_star, uv[v]);
-        }
+      Star_placement<Energy> place;
+      while(log.size() > number_left)
+      {
+        const int v = m_hierarchy->m_chart.undo(log);
+        m_placed.push_back(v);
+        m_hierarchy->collect_star(v, *m_uv, [this](int h) { return m_hierarchy->shape(h); }, m_fan, m_star);
+        if(!place(m_star, (*m_uv)[v]))
+          return false;
+      }
+      return true;
+    }
+
+    // The stars of vertices have changed since they were placed: further rounds take out what would hold up the
+    // global solve.
+    void improve(const std::vector<Rest_shape>& shapes)
+    {
+      constexpr int number_of_rounds = 2;
+      const auto shape_from = [&shapes](int h)
+      {
+        const Rest_shape& s = shapes[h / 3];
+        return h % 3 == 0 ? s : h % 3 == 1 ? Rest_shape{s.g1, s.g2, s.g0, s.area} : Rest_shape{s.g2, s.g0, s.g1, s.area};
+      };
+      for(int round = 0; round < number_of_rounds; ++round)
+        for(int v : m_placed)
+          if(!m_hierarchy->m_keeps_region || !m_hierarchy->m_chart.is_on_border(v))
+          {
+            m_hierarchy->collect_star(v, *m_uv, shape_from, m_fan, m_star);
+            Star_placement<Energy>::improve(m_star, (*m_uv)[v]);
+          }
+    }
+
+  private:
+    Chart_hierarchy* m_hierarchy;
+    std::vector<Eigen::Vector2d>* m_uv;
+    std::vector<int> m_placed, m_fan;
+    std::vector<Star_triangle> m_star;
+  };
+
+  int number_of_collapses_in_regions() const
+  {
+    return std::accumulate(m_logs_of_regions.begin(), m_logs_of_regions.end(), 0,
+                           [](int sum, const Collapse_log& log) { return sum + log.size(); });
+  }
+
+  static std::vector<int> marked(const std::vector<char>& marks)
+  {
+    std::vector<int> result;
+    for(int v = 0; v < int(marks.size()); ++v)
+      if(marks[v])
+        result.push_back(v);
+    return result;
+  }
+
+  // Each region to the same share of its vertices; those that are gone may not go any more.
+  void coarsen_regions(int size, const Chart_simplification& simplification, std::vector<char>& may_go)
+  {
+    constexpr double least_share = 0.25; // so that errors decide about most stages
+    const double share = (std::max)(least_share, double(size) / m_number_of_vertices);
+    const Chart_regions regions(m_chart.triangles(), m_points, m_execution);
+    m_logs_of_regions.resize(regions.size());
+    execute(m_execution, regions.size(), [&](int r)
+    {
+      std::vector<int> vertices = regions.inner_vertices(r);
+      vertices.erase(std::remove_if(vertices.begin(), vertices.end(), [&](int v) { return !may_go[v]; }), vertices.end());
+      Chart_simplification(simplification).reduce_by(int((1 - share) * regions.number_of_vertices(r)), vertices,
+                                                     m_logs_of_regions[r], Execution::SEQUENTIAL);
+      for(const Collapse_log::Collapse& c : m_logs_of_regions[r].collapses)
+        may_go[c.vertex] = 0;
+    });
+    m_number_of_vertices -= number_of_collapses_in_regions();
+  }
+
+  // In all regions, the same share of what is left to undo.
+  template <typename Energy>
+  bool undo_in_regions(int size, std::vector<Refinement<Energy> >& regions)
+  {
+    const int left = number_of_collapses_in_regions();
+    const double share_left = (std::max)(0., 1 - double(size - m_number_of_vertices) / left);
+    std::vector<char> is_extended(regions.size(), 1);
+    execute(m_execution, int(regions.size()), [&](int r)
+    {
+      Collapse_log& log = m_logs_of_regions[r];
+      is_extended[r] = regions[r].undo(int(share_left * log.size()), log);
+    });
+    m_number_of_vertices += left - number_of_collapses_in_regions();
+    return std::find(is_extended.begin(), is_extended.end(), char(0)) == is_extended.end();
+  }
+
+  std::vector<Rest_shape> shapes_of_triangles() const
+  {
+    std::vector<Rest_shape> shapes(m_chart.triangles().size());
+    execute_blocks(m_execution, int(shapes.size()), [&](int begin, int end)
+    {
+      for(int t = begin; t < end; ++t)
+        if(!m_chart.is_dormant(t))
+          shapes[t] = shape(3 * t);
+    });
+    return shapes;
   }
 
   // `shape_from(h)`: the shape of the triangle of `h`, corner 0 at the source of `h`.
   template <typename ShapeFrom>
-  void collect_star(int v, const std::vector<Eigen::Vector2d>& uv, const ShapeFrom& shape_from)
+  void collect_star(int v, const std::vector<Eigen::Vector2d>& uv, const ShapeFrom& shape_from, std::vector<int>& fan,
+                    std::vector<Star_triangle>& star) const
   {
-    m_chart.fan(v, m_fan);
-    m_star.clear();
-    for(int h : m_fan)
-      m_star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape_from(h)});
+    m_chart.fan(v, fan);
+    star.clear();
+    for(int h : fan)
+      star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape_from(h)});
     if(m_keeps_region && m_chart.is_on_border(v))
-      m_star.push_back(wall());
+      star.push_back(wall(star));
   }
 
   // Keeps a border vertex on the left of the edge that its collapse made of its two border edges.
   // That region has a kernel unless the vertex is the tip of a single triangle.
-  Star_triangle wall() const
+  static Star_triangle wall(const std::vector<Star_triangle>& star)
   {
-    Star_triangle wall{m_star.back().b, m_star.front().a, m_star.front().shape};
+    Star_triangle wall{star.back().b, star.front().a, star.front().shape};
     wall.shape.area = 0; // no energy
     return wall;
   }
@@ -188,10 +294,11 @@ private:
   Collapsible_chart m_chart;
   const std::vector<Eigen::Vector3d>& m_points;
   bool m_keeps_region;
+  Execution m_execution;
   double m_minimal_edge;
   int m_number_of_vertices = 0;
-  std::vector<int> m_fan;
-  std::vector<Star_triangle> m_star;
+  Collapse_log m_log; // of what came after the regions
+  std::vector<Collapse_log> m_logs_of_regions;
 };
 
 } // namespace internal

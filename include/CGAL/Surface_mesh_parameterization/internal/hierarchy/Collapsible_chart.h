@@ -15,9 +15,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapse_log.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,14 +25,14 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // The connectivity of a chart under half-edge collapses that can be undone in the reverse order.
-// Triangles and vertices keep their numbers; collapsed ones are dormant.
+// Triangles and vertices keep their numbers; collapsed ones are dormant. Collapses of vertices whose neighbors are
+// all in one region touch nothing else, so that regions may be worked on at the same time, each with a log of its own.
 class Collapsible_chart
 {
 public:
   explicit Collapsible_chart(const Corner_table& chart)
     : m_triangles(chart.triangles()), m_opposites(chart.opposites()),
-      m_is_dormant(m_triangles.size(), 0), m_halfedges(chart.number_of_vertices(), -1),
-      m_marks(chart.number_of_vertices(), 0)
+      m_is_dormant(m_triangles.size(), 0), m_halfedges(chart.number_of_vertices(), -1)
   {
     for(int h = 0; h < int(m_opposites.size()); ++h)
     {
@@ -49,7 +49,6 @@ public:
   bool is_dormant(int t) const { return m_is_dormant[t] != 0; }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   const std::vector<int>& opposites() const { return m_opposites; }
-  int number_of_collapses() const { return int(m_collapses.size()); }
 
   // The halfedges that leave `v`, counterclockwise, a border vertex's border halfedge first.
   void fan(int v, std::vector<int>& halfedges) const
@@ -79,7 +78,7 @@ public:
   // Whether merging `v` into its neighbor ring[j] leaves a chart of the same topology: a border
   // vertex moves along the border only, and the two have no common neighbors but those across their
   // edge (link condition).
-  bool can_collapse(int v, const std::vector<int>& fan, const std::vector<int>& ring, int j)
+  bool can_collapse(int v, const std::vector<int>& fan, const std::vector<int>& ring, int j) const
   {
     const bool is_border = is_on_border(v);
     const int last = int(ring.size()) - 1;
@@ -89,26 +88,24 @@ public:
       return false; // the last triangle
     if(!is_border && ring.size() < 3)
       return false;
-    ++m_mark;
-    for(int i = 0; i <= last; ++i)
-      m_marks[ring[i]] = m_mark;
-    for(int step : {-1, 1})
+    const int before_j = j > 0 ? j - 1 : is_border ? -1 : last;
+    const int after_j = j < last ? j + 1 : is_border ? -1 : 0;
+    const auto is_common = [&](int w)
     {
-      int i = j + step;
-      if(!is_border)
-        i = (i + last + 1) % (last + 1);
-      if(i >= 0 && i <= last)
-        m_marks[ring[i]] = 0;
-    }
+      for(int i = 0; i <= last; ++i)
+        if(ring[i] == w && i != before_j && i != after_j)
+          return true;
+      return false;
+    };
     const int u = ring[j], first = m_halfedges[u];
     int h = first;
     do
     {
-      if(m_marks[target(h)] == m_mark)
+      if(is_common(target(h)))
         return false;
       const int before = previous_halfedge(h);
       if(m_opposites[before] < 0)
-        return m_marks[source(before)] != m_mark;
+        return !is_common(source(before));
       h = m_opposites[before];
     }
     while(h != first);
@@ -116,10 +113,10 @@ public:
   }
 
   // Merges `v` into ring[j]; `can_collapse()` must hold.
-  void collapse(int v, const std::vector<int>& fan, const std::vector<int>& ring, int j)
+  void collapse(int v, const std::vector<int>& fan, const std::vector<int>& ring, int j, Collapse_log& log)
   {
     const int u = ring[j];
-    Collapse record{v, int(m_moved_corners.size()), int(m_former_halfedges.size()), {-1, -1}};
+    Collapse record{v, int(log.moved_corners.size()), int(log.former_halfedges.size()), {-1, -1}};
     const int size = int(fan.size());
     const bool is_border = is_on_border(v);
     // Triangles j-1 and j of the fan hold the edge from v to u.
@@ -129,11 +126,11 @@ public:
     if(!is_border || j > 0)
       record.triangles[removed++] = fan[(j + size - 1) % size] / 3;
     for(int w : ring)
-      m_former_halfedges.emplace_back(w, m_halfedges[w]);
+      log.former_halfedges.emplace_back(w, m_halfedges[w]);
     for(int h : fan)
       if(h / 3 != record.triangles[0] && h / 3 != record.triangles[1])
       {
-        m_moved_corners.push_back(h);
+        log.moved_corners.push_back(h);
         m_triangles[h / 3][h % 3] = u;
       }
     for(int t : record.triangles)
@@ -141,14 +138,14 @@ public:
         remove(t, v, u);
     for(int w : ring)
       update_halfedge(w, fan, record);
-    m_collapses.push_back(record);
+    log.collapses.push_back(record);
   }
 
-  // Undoes the latest collapse and returns its vertex.
-  int undo()
+  // Undoes the latest collapse of a log and returns its vertex.
+  int undo(Collapse_log& log)
   {
-    const Collapse record = m_collapses.back();
-    m_collapses.pop_back();
+    const Collapse record = log.collapses.back();
+    log.collapses.pop_back();
     for(int t : {record.triangles[1], record.triangles[0]})
       if(t >= 0)
       {
@@ -157,21 +154,17 @@ public:
           if(m_opposites[3 * t + k] >= 0)
             m_opposites[m_opposites[3 * t + k]] = 3 * t + k;
       }
-    for(std::size_t i = record.first_corner; i < m_moved_corners.size(); ++i)
-      m_triangles[m_moved_corners[i] / 3][m_moved_corners[i] % 3] = record.vertex;
-    m_moved_corners.resize(record.first_corner);
-    for(std::size_t i = record.first_halfedge; i < m_former_halfedges.size(); ++i)
-      m_halfedges[m_former_halfedges[i].first] = m_former_halfedges[i].second;
-    m_former_halfedges.resize(record.first_halfedge);
+    for(std::size_t i = record.first_corner; i < log.moved_corners.size(); ++i)
+      m_triangles[log.moved_corners[i] / 3][log.moved_corners[i] % 3] = record.vertex;
+    log.moved_corners.resize(record.first_corner);
+    for(std::size_t i = record.first_halfedge; i < log.former_halfedges.size(); ++i)
+      m_halfedges[log.former_halfedges[i].first] = log.former_halfedges[i].second;
+    log.former_halfedges.resize(record.first_halfedge);
     return record.vertex;
   }
 
 private:
-  struct Collapse
-  {
-    int vertex, first_corner, first_halfedge;
-    int triangles[2];
-  };
+  using Collapse = Collapse_log::Collapse;
 
   // Takes out triangle t, which holds the collapsing edge, and joins what lies across its two other
   // edges. Its own entries stay as they are: undo() reads them.
@@ -225,11 +218,6 @@ private:
   std::vector<int> m_opposites;
   std::vector<char> m_is_dormant;
   std::vector<int> m_halfedges; // per vertex, one that leaves it; on the border the border one
-  std::vector<Collapse> m_collapses;
-  std::vector<int> m_moved_corners;
-  std::vector<std::pair<int, int> > m_former_halfedges;
-  std::vector<int> m_marks;
-  int m_mark = 0;
 };
 
 } // namespace internal

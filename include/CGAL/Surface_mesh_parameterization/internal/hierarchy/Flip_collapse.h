@@ -34,8 +34,8 @@ namespace internal {
 class Flip_collapse
 {
 public:
-  Flip_collapse(Collapsible_chart& chart, const std::vector<Eigen::Vector2d>& uv)
-    : m_chart(chart), m_uv(uv)
+  Flip_collapse(Collapsible_chart& chart, const std::vector<Eigen::Vector2d>& uv, Collapse_log& log)
+    : m_chart(chart), m_uv(uv), m_log(log)
   {}
 
   // False if a triangle stays flipped, as may happen between short borders. Each collapse takes the
@@ -117,7 +117,7 @@ private:
   {
     m_chart.fan(v, m_fan);
     m_chart.ring(v, m_fan, m_ring);
-    m_chart.collapse(v, m_fan, m_ring, j);
+    m_chart.collapse(v, m_fan, m_ring, j, m_log);
     for(int h : m_fan)
       if(is_flipped(h / 3))
         m_queue.push_back(h / 3);
@@ -125,6 +125,7 @@ private:
 
   Collapsible_chart& m_chart;
   const std::vector<Eigen::Vector2d>& m_uv;
+  Collapse_log& m_log;
   std::deque<int> m_queue;
   std::vector<int> m_fan, m_ring;
 };

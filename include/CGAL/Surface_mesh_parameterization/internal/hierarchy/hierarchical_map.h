@@ -53,7 +53,7 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
                              std::vector<Eigen::Vector2d>& uv)
 {
   constexpr int growth = 4; // each stage has to be ordered and factorized
-  hierarchy.coarsen(coarsest_size);
+  hierarchy.coarsen(coarsest_size, Coarsening::IN_REGIONS);
   for(bool is_first = true; is_first || !hierarchy.is_complete(); is_first = false)
   {
     const Chart_hierarchy::Stage stage = hierarchy.stage();
@@ -86,7 +86,7 @@ Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen:
   for(int coarsest_size : {250, 60, 15, 4})
   {
     uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
-    Chart_hierarchy hierarchy(chart, points, keeps_region);
+    Chart_hierarchy hierarchy(chart, points, keeps_region, linear_solvers.execution());
     const Stages_outcome outcome = map_by_stages<Energy>(hierarchy, coarsest_size, linear_solvers, optimize, uv);
     if(outcome == Stages_outcome::STOPPED || (outcome == Stages_outcome::MAPPED && is_valid(uv)))
       return outcome;
