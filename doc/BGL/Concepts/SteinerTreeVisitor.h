@@ -12,7 +12,7 @@ The concept `SteinerTreeVisitor` describes the requirements for the named parame
 class SteinerTreeVisitor
 {
 public:
-  /// is called often.
+  /// is called often, but by one thread at a time.
   /// \return `false` to cancel the computation, which then returns the best tree found so far, with the status
   ///         `CGAL::Steiner_tree::Status::CANCELLED`
   bool go_further();

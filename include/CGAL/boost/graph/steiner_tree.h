@@ -124,7 +124,7 @@ enum class Status
 /// \cgalModels{SteinerTreeVisitor}
 struct Default_visitor
 {
-  /// returns `false` to cancel; called often
+  /// returns `false` to cancel; called often, but by one thread at a time
   bool go_further() const { return true; }
 };
 

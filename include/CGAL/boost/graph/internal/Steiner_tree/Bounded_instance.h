@@ -43,6 +43,8 @@ class Bounded_instance
   bool m_is_optimal = false;
   int m_last_root = -1, m_best_root = 0;
   std::unique_ptr<const Dual_ascent> m_dual; // the last one, if it is one of the present instance
+  bool m_is_dual_new = false;                // no reduction has used it
+  Tree m_dual_tree;
 
 public:
   // A tree is optimal if none is shorter by more than this part of its length; larger than rounding errors.
@@ -84,13 +86,30 @@ public:
       m_best = original;
   }
 
+  // Finds the dual solution that the next reduction uses. It depends on no tree: trees may be found by `improve()` at
+  // the same time.
+  template <typename ConcurrencyTag>
+  void ascend(const Go_further& go_further)
+  {
+    const int root = ++m_last_root % int(terminals().size());
+    m_dual.reset(new Dual_ascent(graph(), terminals(), root, ConcurrencyTag(), go_further));
+    // trees along the arcs that the dual solution has used up are often short
+    m_dual_tree = grow_tree(graph(), terminals(), terminals()[root], [this](int i) {
+      return m_dual->is_saturated(i) ? graph().arcs[i].weight : Shortest_paths::infinity();
+    }, go_further);
+    m_is_dual_new = true;
+  }
+
   // Removes what no shorter tree can use, by dual ascent with different roots: at least `minimum_number_of_rounds`
   // times and then as long as a round leaves at most `maximum_ratio` of the edges. False if no tree is shorter.
+  template <typename ConcurrencyTag>
   bool reduce(int minimum_number_of_rounds, double maximum_ratio, const Go_further& go_further)
   {
-    for(int round = 0; !m_is_optimal && go_further(); ++round) {
+    for(int round = 0; !m_is_optimal && (m_is_dual_new || go_further()); ++round) {
       const int size = graph().number_of_edges();
-      reduce_from_next_root(go_further);
+      if(!m_is_dual_new)
+        ascend<ConcurrencyTag>(go_further);
+      reduce_by_dual(go_further);
       if(round + 1 >= minimum_number_of_rounds && graph().number_of_edges() > maximum_ratio * size)
         break;
     }
@@ -117,21 +136,16 @@ private:
   // the length of the shortest tree of the instance is this much less than that of the original problem
   double fixed_length() const { return total_weight(*m_graph, m_instance.original_edges({})); }
 
-  void reduce_from_next_root(const Go_further& go_further)
+  void reduce_by_dual(const Go_further& go_further)
   {
-    const int root = ++m_last_root;
-    m_dual.reset(new Dual_ascent(graph(), terminals(), root % int(terminals().size()), go_further));
     const Dual_ascent& dual = *m_dual;
+    m_is_dual_new = false;
     const double fixed = fixed_length();
     if(fixed + dual.bound() > m_lower_bound) {
       m_lower_bound = fixed + dual.bound();
-      m_best_root = root;
+      m_best_root = m_last_root;
     }
-
-    // trees along the arcs that the dual solution has used up are often short
-    improve(grow_tree(graph(), terminals(), terminals()[dual.root()], [&](int i) {
-      return dual.is_saturated(i) ? graph().arcs[i].weight : Shortest_paths::infinity();
-    }, go_further));
+    improve(m_dual_tree);
 
     const std::vector<double> bounds = dual.bounds_with_edge();
     std::vector<char> is_removed(graph().number_of_edges());
@@ -177,7 +191,8 @@ private:
   bool search_with_sets_of(std::size_t maximum_number_of_states, const Go_further& go_further)
   {
     if(!m_dual)
-      m_dual.reset(new Dual_ascent(graph(), terminals(), m_best_root % int(terminals().size()), go_further));
+      m_dual.reset(new Dual_ascent(graph(), terminals(), m_best_root % int(terminals().size()), ConcurrencyTag(),
+                                   go_further));
     const Completion_bound<Words> bound(*m_dual);
     Pruned_dynamic_programme<Words> programme(graph(), terminals(), bound, cut() - fixed_length(),
                                               maximum_number_of_states);

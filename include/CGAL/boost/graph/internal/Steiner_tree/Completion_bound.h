@@ -34,11 +34,9 @@ class Completion_bound
 
   const Dual_ascent* m_dual;
   std::vector<Set> m_groups;
-  std::vector<double> m_from_root, m_to_terminal;
 
 public:
-  explicit Completion_bound(const Dual_ascent& dual)
-    : m_dual(&dual), m_from_root(dual.distances_from_root()), m_to_terminal(dual.distances_to_terminal())
+  explicit Completion_bound(const Dual_ascent& dual) : m_dual(&dual)
   {
     for(const Dual_ascent::Group& group : dual.groups()) {
       m_groups.emplace_back();
@@ -60,7 +58,7 @@ public:
   double operator()(int v, const Set& rest, double base_of_rest) const
   {
     const bool holds_root = rest.contains(m_dual->root());
-    double sum = base_of_rest + (holds_root ? m_from_root[v] : m_to_terminal[v]);
+    double sum = base_of_rest + (holds_root ? m_dual->distance_from_root(v) : m_dual->distance_to_terminal(v));
     for(const Dual_ascent::Share& share : m_dual->shares(v))
       if(m_groups[share.group].intersects(rest) != holds_root)
         sum += holds_root ? share.value : -share.value;

@@ -15,6 +15,7 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -104,11 +105,13 @@ private:
   std::vector<Group> m_groups;
   std::vector<int> m_share_offsets; // rows of the vertices
   std::vector<Share> m_shares;
+  std::vector<double> m_from_root, m_to_terminal;
 
 public:
   // raises the sets around the terminals, the smallest first, until all are reached from the root along arcs of
   // reduced weight zero. All terminals must be in one component. Stopped earlier, it is a solution, too.
-  Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root,
+  template <typename ConcurrencyTag>
+  Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root, ConcurrencyTag,
               const Go_further& go_further)
     : m_graph(&graph)
     , m_terminals(terminals)
@@ -119,6 +122,12 @@ public:
     for(const Csr_graph::Arc& arc : graph.arcs)
       m_entering.push_back(arc.weight);
     ascend(go_further);
+    Graph_kernel::for_each_index<ConcurrencyTag>(2, [this](int i) {
+      if(i == 0)
+        search_from_root();
+      else
+        search_to_terminals();
+    });
   }
 
   int root() const { return m_root; }
@@ -134,41 +143,42 @@ public:
   double leaving_weight(int i) const { return m_entering[m_opposite[i]]; }
   bool is_saturated(int i) const { return entering_weight(i) == 0. || leaving_weight(i) == 0.; }
 
-  // distances by reduced weights from the root
-  std::vector<double> distances_from_root() const
+  // distances by reduced weights from the root, and to the nearest terminal other than the root
+  double distance_from_root(int v) const { return m_from_root[v]; }
+  double distance_to_terminal(int v) const { return m_to_terminal[v]; }
+
+  // for each edge a lower bound on the length of the trees that use it, in either direction
+  std::vector<double> bounds_with_edge() const
+  {
+    std::vector<double> result(m_graph->number_of_edges(), Shortest_paths::infinity());
+    for(int v = 0; v < m_graph->number_of_vertices(); ++v)
+      for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i) {
+        const Csr_graph::Arc& arc = m_graph->arcs[i];
+        result[arc.edge] = (std::min)(result[arc.edge],
+                                      m_bound + m_from_root[arc.target] + m_entering[i] + m_to_terminal[v]);
+      }
+    return result;
+  }
+
+private:
+  void search_from_root()
   {
     Shortest_paths paths(*m_graph);
     paths.add_source(m_terminals[m_root]);
     paths.run([](int) { return true; }, [this](int i) { return leaving_weight(i); });
-    return paths.distances();
+    m_from_root = paths.distances();
   }
 
-  // distances by reduced weights to the nearest terminal other than the root
-  std::vector<double> distances_to_terminal() const
+  void search_to_terminals()
   {
     Shortest_paths paths(*m_graph);
     for(int i = 0; i < int(m_terminals.size()); ++i)
       if(i != m_root)
         paths.add_source(m_terminals[i]);
     paths.run([](int) { return true; }, [this](int i) { return entering_weight(i); });
-    return paths.distances();
+    m_to_terminal = paths.distances();
   }
 
-  // for each edge a lower bound on the length of the trees that use it, in either direction
-  std::vector<double> bounds_with_edge() const
-  {
-    const std::vector<double> from_root = distances_from_root(), to_terminal = distances_to_terminal();
-    std::vector<double> result(m_graph->number_of_edges(), Shortest_paths::infinity());
-    for(int v = 0; v < m_graph->number_of_vertices(); ++v)
-      for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i) {
-        const Csr_graph::Arc& arc = m_graph->arcs[i];
-        result[arc.edge] = (std::min)(result[arc.edge],
-                                      m_bound + from_root[arc.target] + m_entering[i] + to_terminal[v]);
-      }
-    return result;
-  }
-
-private:
   // What the terminals' sets have met. The sets of a terminal that was reached from another one by arcs of reduced
   // weight zero stop growing: the other's sets will contain them. Terminals that reach each other grow as one.
   struct Leaders

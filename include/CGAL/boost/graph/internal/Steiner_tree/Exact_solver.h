@@ -12,12 +12,14 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_EXACT_SOLVER_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_EXACT_SOLVER_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Bounded_instance.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/corridor_tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <mutex>
 #include <vector>
 
 namespace CGAL {
@@ -40,17 +42,17 @@ public:
                const Go_further& go_further)
     : m_maximum_number_of_states(maximum_number_of_states), m_go_further(go_further), m_instance(graph, terminals)
   {
-    m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));
     if(graph.number_of_vertices() > large_number_of_vertices)
-      m_instance.improve(corridor_tree<ConcurrencyTag>(graph, terminals, tree(), maximum_number_of_states / corridor_divisor, go_further));
+      bound_from_both_sides(graph, terminals);
     else {
-      if(!m_instance.reduce(1, 0., m_go_further) || !m_go_further())
+      m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));
+      if(!m_instance.template reduce<ConcurrencyTag>(1, 0., m_go_further) || !m_go_further())
         return;
       search_locally();
     }
     // The program with few states first. As often as these do not suffice, the same effort once more for the
     // bounds on both sides pays before it gets four times as many.
-    if(!m_instance.reduce(1, quick_ratio, m_go_further))
+    if(!m_instance.template reduce<ConcurrencyTag>(1, quick_ratio, m_go_further))
       return;
     const std::size_t first = (std::max)(minimum_number_of_states,
                                          minimum_number_of_states_per_edge * m_instance.graph().number_of_edges());
@@ -62,7 +64,8 @@ public:
       if(m_instance.template search<ConcurrencyTag>(states, m_go_further))
         return;
       recombine(double(states));
-      if(divisor == 1 || !m_instance.reduce(number_of_rounds(states), slow_ratio, m_go_further))
+      if(divisor == 1 ||
+         !m_instance.template reduce<ConcurrencyTag>(number_of_rounds(states), slow_ratio, m_go_further))
         return;
     }
   }
@@ -89,6 +92,25 @@ private:
   {
     const std::size_t size = std::size_t(m_instance.graph().number_of_edges());
     return states >= 4 * size ? 4 : (std::max)(1, int(states / size));
+  }
+
+  // a tree that is short, and a dual solution, which takes about as long and does not depend on the tree
+  void bound_from_both_sides(const Csr_graph& graph, const std::vector<int>& terminals)
+  {
+    std::mutex mutex;
+    const Go_further go_further = [&] {
+      const std::lock_guard<std::mutex> lock(mutex);
+      return m_go_further();
+    };
+    Graph_kernel::for_each_index<ConcurrencyTag>(2, [&](int i) {
+      if(i == 1) {
+        m_instance.template ascend<ConcurrencyTag>(go_further);
+        return;
+      }
+      m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));
+      m_instance.improve(corridor_tree<ConcurrencyTag>(graph, terminals, tree(),
+                                                       m_maximum_number_of_states / corridor_divisor, go_further));
+    });
   }
 
   double minimum_decrease() const { return Bounded_instance::tolerance * tree().length; }
@@ -128,7 +150,7 @@ private:
         best = tree;
       if((i + 1) % batch_size == 0 || i + 1 == number_of_trials) {
         Bounded_instance part(graph, terminals, is_unused, best, m_go_further);
-        if(part.reduce(2, part_ratio, m_go_further))
+        if(part.template reduce<ConcurrencyTag>(2, part_ratio, m_go_further))
           part.template search<ConcurrencyTag>(std::size_t(effort / effort_per_part), m_go_further);
         best = part.tree();
         is_unused.assign(graph.number_of_edges(), 1);

@@ -50,8 +50,8 @@ Tree improved_tree(const Csr_graph& graph, const std::vector<int>& terminals, co
 {
   constexpr double good_ratio = 0.7; // of the edges that a reduction leaves, for one more
   Bounded_instance instance(graph, terminals, is_removed, tree, go_further);
-  if(instance.reduce(1, good_ratio, go_further))
-    instance.search<ConcurrencyTag>(maximum_number_of_states, go_further);
+  if(instance.template reduce<ConcurrencyTag>(1, good_ratio, go_further))
+    instance.template search<ConcurrencyTag>(maximum_number_of_states, go_further);
   return instance.tree();
 }
 
