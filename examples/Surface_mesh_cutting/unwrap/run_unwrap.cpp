@@ -10,6 +10,7 @@
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -218,6 +219,8 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(options.threads));
 #endif
+  using namespace CGAL::Surface_mesh_parameterization::internal;
+  constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
   Mesh& mesh = surface.mesh;
   end_if_stop_is_requested();
   const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
@@ -230,9 +233,12 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
     return {};
 
   pack(mesh, is_cut, uvs, options, outcome);
-  if(!options.json.empty() || !options.html.empty())
-    outcome.distortion = SMC::distortion_report(mesh, is_cut, uvs);
-  Layout layout = make_layout(surface, is_cut, uvs, soup, outcome.uv_scale.value_or(1));
+  Layout layout;
+  execute_both(execution, [&] { layout = make_layout(surface, is_cut, uvs, soup, outcome.uv_scale.value_or(1)); }, [&]
+  {
+    if(!options.json.empty() || !options.html.empty())
+      outcome.distortion = SMC::distortion_report(mesh, is_cut, uvs);
+  });
   std::vector<int>& features = layout.feature_points;
   for(const Vertex v : result.feature_points)
     features.push_back(surface.vertices[v]);
