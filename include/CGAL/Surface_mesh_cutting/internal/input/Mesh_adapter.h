@@ -27,10 +27,13 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter_impl.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -193,8 +196,6 @@ private:
     for(int f = 0; f < polygons.number(); ++f)
       if(!is_simple[f])
         other.push_back(f);
-    std::sort(other.begin(), other.end());
-    other.erase(std::unique(other.begin(), other.end()), other.end());
     if(!other.empty())
       refuse_polygons(Status_code::NOT_TRIANGULATED, "faces that do not have three different vertices or more",
                       std::move(other));

@@ -15,31 +15,22 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Status.h>
-#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/library.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <numeric>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/triangulate_polygons.h>
-#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -91,35 +82,12 @@ protected:
   }
 
   // `opposites` holds the side across each side, or -1 on a border; no polygon has a vertex twice. O(n).
-  void make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites)
-  {
-    normalize(points, polygons);
-    Polygon_triangulation triangulation = triangulate_polygons(points, polygons, opposites);
-    if(!triangulation.doubled.empty())
-    {
-      refuse_polygons(Status_code::NOT_TRIANGULATED,
-                      "faces all of whose triangulations repeat an edge of the surface",
-                      std::move(triangulation.doubled));
-      return;
-    }
-    m_corners = std::move(triangulation.corners);
-    m_sides = std::move(triangulation.sides);
-    m_polygons = std::move(triangulation.polygons);
-    m_mesh = Indexed_mesh(std::move(points), std::move(triangulation.triangles), std::move(triangulation.opposites));
-    m_status = check_mesh(m_mesh);
-    constexpr int extreme = 332; // 1e100
-    if(m_status && std::abs(m_exponent) > extreme)
-      m_status.warnings.push_back(Finding{Status_code::OK, "extreme coordinates, which are rescaled internally",
-                                          Element_kind::NONE, {}});
-  }
+  CGAL_SURFACE_MESH_CUTTING_INLINE
+  void make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites);
 
-  // Before there are triangles; `polygons` are indices of polygons.
-  void refuse_polygons(Status_code code, const char* message, std::vector<int> polygons)
-  {
-    m_polygons.resize(polygons.empty() ? 0 : std::size_t(*std::max_element(polygons.begin(), polygons.end())) + 1);
-    std::iota(m_polygons.begin(), m_polygons.end(), 0);
-    m_status = Indexed_status(code, message, Element_kind::FACE, std::move(polygons));
-  }
+  // Before there are triangles; `polygons` are indices of polygons, in any order.
+  CGAL_SURFACE_MESH_CUTTING_INLINE
+  void refuse_polygons(Status_code code, const char* message, std::vector<int> polygons);
 
   // The status with its finding and warnings as `translate` gives them.
   template <typename Surface, typename Translate>
@@ -133,61 +101,19 @@ protected:
   }
 
   // Turns triangles into polygons, each once, and leaves out diagonals.
-  Finding in_polygons(Finding finding) const
-  {
-    std::vector<int>& indices = finding.indices;
-    if(finding.kind == Element_kind::FACE)
-    {
-      for(int& f : indices)
-        f = m_polygons[f];
-      indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    }
-    else if(finding.kind == Element_kind::EDGE)
-      indices.erase(std::remove_if(indices.begin(), indices.end(), [this](int e) { return is_diagonal(e); }),
-                    indices.end());
-    return finding;
-  }
+  CGAL_SURFACE_MESH_CUTTING_INLINE
+  Finding in_polygons(Finding finding) const;
 
   // ": faces 3, 5 and 1 more"; edges are named by their two vertices. `name` gives the number to show for the index of
   // a vertex or polygon.
-  template <typename Name>
-  std::string enumeration(const Finding& finding, Name name) const
-  {
-    if(finding.indices.empty() || finding.kind == Element_kind::NONE)
-      return std::string();
-    constexpr std::size_t maximum = 5;
-    const bool is_plural = finding.indices.size() > 1;
-    std::string text = ": ";
-    text += finding.kind == Element_kind::VERTEX ? (is_plural ? "vertices" : "vertex")
-          : finding.kind == Element_kind::EDGE   ? (is_plural ? "edges" : "edge")
-                                                 : (is_plural ? "faces" : "face");
-    for(std::size_t i = 0; i < (std::min)(maximum, finding.indices.size()); ++i)
-    {
-      const int index = finding.indices[i];
-      text += i == 0 ? " " : ", ";
-      if(finding.kind == Element_kind::EDGE)
-        text += std::to_string(name(m_mesh.source(m_mesh.halfedge(index)))) + "-"
-              + std::to_string(name(m_mesh.target(m_mesh.halfedge(index))));
-      else
-        text += std::to_string(name(index));
-    }
-    if(finding.indices.size() > maximum)
-      text += " and " + std::to_string(finding.indices.size() - maximum) + " more";
-    return text;
-  }
+  CGAL_SURFACE_MESH_CUTTING_INLINE
+  std::string enumeration(const Finding& finding, const std::function<int(int)>& name) const;
 
   Indexed_status m_status;
 
 private:
-  void normalize(std::vector<Point>& points, const Polygons& polygons)
-  {
-    Surface_mesh_parameterization::internal::Bounding_box<3> box;
-    for(int v : polygons.vertices)
-      box.add(points[v]);
-    m_exponent = Surface_mesh_parameterization::internal::scale_exponent(box);
-    for(Point& p : points)
-      p = Surface_mesh_parameterization::internal::scaled(p, -m_exponent);
-  }
+  CGAL_SURFACE_MESH_CUTTING_INLINE
+  void normalize(std::vector<Point>& points, const Polygons& polygons);
 
   int m_exponent = 0;
   Indexed_mesh m_mesh;

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Polygon_soup.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/begin_triangles_with_last_corner.h>
@@ -29,6 +30,7 @@
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter_impl.h>
 #endif
 
 namespace CGAL {
