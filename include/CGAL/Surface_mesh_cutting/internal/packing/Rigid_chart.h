@@ -74,7 +74,7 @@ struct Rigid_chart
 {
   std::vector<Outline_segment> outline; // with few segments
   Distance_field field;
-  std::vector<Eigen::Vector2d> samples; // of the outline, all its corners among them
+  std::vector<Eigen::Vector2d> samples; // of the outline, all corners among them that can be closest to another chart
   std::vector<Sample_block> blocks;     // of samples
   double radius = 0;                    // of a circle around the origin
 
@@ -87,12 +87,17 @@ struct Rigid_chart
     for(const Outline_segment& s : outline)
       perimeter += (s.target - s.source).norm();
     const double spacing = perimeter / samples_between_corners;
-    for(const Outline_segment& s : outline)
+    double length = 0; // since the last sample
+    for(std::size_t i = 0; i < outline.size(); ++i)
     {
-      const double length = (s.target - s.source).norm();
-      const int number = length > spacing ? int(std::ceil(length / spacing)) : 1;
-      for(int i = 0; i < number; ++i)
-        samples.push_back(s.source + double(i) / number * (s.target - s.source));
+      const Outline_segment& s = outline[i];
+      if(length >= spacing || i == 0 || !is_reflex(outline[i - 1], s))
+        length = add_sample(s.source);
+      const double rest = (s.target - s.source).norm();
+      const int number = rest > spacing ? int(std::ceil(rest / spacing)) : 1;
+      for(int k = 1; k < number; ++k)
+        length = add_sample(s.source + double(k) / number * (s.target - s.source));
+      length += number > 1 ? rest / number : rest;
       radius = (std::max)(radius, s.source.norm());
     }
     constexpr int block_size = 6;
@@ -101,6 +106,21 @@ struct Rigid_chart
   }
 
 private:
+  // Whether the outline turns to the right between the segments, so that one of them comes closer to anything outside
+  // than their common corner does. What is not known to follow each other is not.
+  static bool is_reflex(const Outline_segment& former, const Outline_segment& next)
+  {
+    const Eigen::Vector2d a = former.target - former.source, b = next.target - next.source;
+    return former.target == next.source && a.x() * b.y() - a.y() * b.x() < 0;
+  }
+
+  // The length of the outline since that sample.
+  double add_sample(const Eigen::Vector2d& p)
+  {
+    samples.push_back(p);
+    return 0;
+  }
+
   void add_block(int begin, int end)
   {
     Surface_mesh_parameterization::internal::Bounding_box<2> box;
