@@ -50,8 +50,8 @@ struct Packed_charts
 //
 // The charts are drawn on a grid: a chart as the cells that it touches, its margin as the cells that are too close to
 // it. Where no chart touches the margin of another one, distances are kept for sure, and not only between cells. The
-// scale grows as long as one of several strategies finds places for all charts. A coarse grid is used first; after it,
-// a finer one if there are many charts, otherwise they push each other apart at ever larger scales, off any grid.
+// scale grows as long as one of several strategies finds places for all charts. Coarse grids are used first; after them,
+// still finer ones if there are many charts, otherwise they push each other apart at ever larger scales, off any grid.
 template <typename ConcurrencyTag>
 class Chart_packer
 {
@@ -75,7 +75,7 @@ public:
     find_limit();
     // On the finest grid, charts of average size are some dozen cells wide; the time to place one grows with its cells.
     const bool are_few = int(m_outlines.size()) <= several, are_many = int(m_outlines.size()) > many;
-    const int coarsest = are_many ? 1024 : 512, finest = are_few ? coarsest : are_many ? 4096 : 2048;
+    const int coarsest = are_many ? 1024 : 512, finest = are_few ? 512 : are_many ? 4096 : 1024;
     if(!find_first(coarsest))
       return std::nullopt;
     for(int resolution = coarsest; resolution <= finest; resolution *= 2)
@@ -84,7 +84,7 @@ public:
       grow(resolution, resolution == coarsest ? 1.08 : 1.03, resolution < finest ? 1.02 : 1.004);
       m_strategies.resize((std::min)(m_strategies.size(), strategies_on_fine_grids));
     }
-    if(are_few)
+    if(!are_many)
       push_apart();
     return m_best;
   }
