@@ -114,7 +114,7 @@ private:
     constexpr double much = 0.1; // of the cost
     return m_context.parameters.opens_slits_first &&
            std::all_of(results.begin(), results.end(),
-                       [](const Component_result& r) { return r.cost_of_room > much * r.cost; });
+                       [&](const Component_result& r) { return r.cost_of_room > much * r.cost; });
   }
 
   Component_result best_of(std::vector<Component_result>& results) const
