@@ -40,7 +40,7 @@ def test_progress():
     thread, calls = threading.get_ident(), []
     smc.unwrap(*LARGE, progress=lambda phase, fraction: calls.append((phase, fraction, threading.get_ident())))
     assert calls and {call[2] for call in calls} == {thread}
-    assert {call[0] for call in calls} <= {"candidates", "filter", "connect", "refine", "parameterize"}
+    assert {call[0] for call in calls} <= {"candidates", "filter", "connect", "refine", "parameterize", "pack"}
     assert all(0 <= fraction <= 1 for _, fraction, _ in calls)
 
 
