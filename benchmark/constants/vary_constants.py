@@ -43,8 +43,6 @@ PROGRAMS = {
                                ["cactus", "couplingdown", "handle"]),
     "fast_bound": Program("pipeline", ["--max-distortion", "4.1", "--effort", "fast"], SMALL),
     "coarse_bound": Program("pipeline", ["--max-distortion", "4.05", "--effort", "fast"], ["fandisk"]),
-    "fast": Program("pipeline", ["--effort", "fast"], ["cow", "dino", "femur", "triceratops", "fandisk", "bear_bis",
-                                                       "camel", "mannequin-devil", "fandisk_large"]),
     "room": Program("pipeline", ["--bijective", "--max-distortion", "4.1"],
                     ["cactus", "camel", "couplingdown", "elk", "three_peaks", "triceratops"]),
     "large": Program("pipeline", ["--effort", "fast"], ["bunny00", "refined_elephant"]),
