@@ -57,9 +57,9 @@ int main(int argc, char** argv)
   // The first start of `Feature_detector`.
   std::mt19937 engine(parameters.random_seed);
   const int start = int(engine() % std::mt19937::result_type(flat.number_of_vertices()));
-  const std::vector<int> first = internal::farthest_pair_path(flat, start);
+  const std::vector<int> first = internal::path_to_farthest_vertex(flat, start, parameters.number_of_sweeps());
   const std::vector<int> first_points = maximizers(first);
-  const std::vector<int> second = internal::second_cut(flat, first, first_points, parameters);
+  const std::vector<int> second = internal::second_cut(flat, start, first, first_points, parameters, control);
   const std::string prefix = argv[2];
   write(prefix + ".first.obj", mesh, flat, first, first_points);
   write(prefix + ".second.obj", mesh, flat, second, maximizers(second));

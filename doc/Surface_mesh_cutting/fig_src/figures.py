@@ -32,9 +32,9 @@ class Figures:
         return self.meshes / f"{name}.off"
 
     def unwrap(self, name, *options):
-        """a surface, unwrapped with these options of the program"""
+        """a surface, unwrapped with these options of the program; the layout has its size, as its colors need"""
         out, cut = self.work / "out.obj", self.work / "cut.obj"
-        self.run("unwrap", self.mesh(name), "-o", out, "--obj-cut", cut, "--quiet", *options)
+        self.run("unwrap", self.mesh(name), "-o", out, "--obj-cut", cut, "--uv-scale", "surface", "--quiet", *options)
         return Surface(out, cut)
 
     def introduction(self):
@@ -119,7 +119,7 @@ class Figures:
 
     def bijective(self):
         objects = []
-        for i, options in enumerate(([], ["--bijective"])):
+        for i, options in enumerate((["--allow-overlap"], [])):
             objects += draw_layout(self.unwrap("homer", "--effort", "fast", *options), Cell(390 * i, 0, 370, 370))
         return 760, 370, objects
 
