@@ -5,6 +5,8 @@
 // pack_charts(). All keep the same margin. `limit` is the fill at which the chart with the largest extent alone needs the
 // whole square. The last lines have the means, of the files with at least 2 and with at least 10 charts.
 
+#include "../Surface_mesh_parameterization/Layout.h"
+
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
@@ -14,11 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,48 +33,6 @@ using Tag = CGAL::Parallel_tag;
 #else
 using Tag = CGAL::Sequential_tag;
 #endif
-
-struct Layout
-{
-  std::vector<Eigen::Vector2d> uv;
-  std::vector<Triangle> triangles;
-};
-
-// Files keep the orientation of the input's faces, and maps that of the surface.
-void orient(Layout& layout)
-{
-  Triangle& t = layout.triangles.back();
-  if(CGAL::Surface_mesh_parameterization::internal::triangle_area(t, layout.uv) < 0)
-    std::swap(t[1], t[2]);
-}
-
-Layout read_layout(const std::string& name)
-{
-  Layout layout;
-  std::ifstream file(name);
-  for(std::string line, key; std::getline(file, line);)
-  {
-    std::istringstream words(line);
-    words >> key;
-    if(key == "vt")
-    {
-      layout.uv.emplace_back();
-      words >> layout.uv.back().x() >> layout.uv.back().y();
-    }
-    else if(key == "f")
-    {
-      layout.triangles.emplace_back();
-      for(int& corner : layout.triangles.back())
-      {
-        std::string word;
-        words >> word;
-        corner = std::stoi(word.substr(word.find('/') + 1)) - 1;
-      }
-      orient(layout);
-    }
-  }
-  return layout;
-}
 
 std::vector<int> opposites(const std::vector<Triangle>& triangles)
 {
