@@ -88,16 +88,21 @@ struct Rigid_chart
       perimeter += (s.target - s.source).norm();
     const double spacing = perimeter / samples_between_corners;
     double length = 0; // since the last sample
+    const auto add_sample = [&](const Eigen::Vector2d& p)
+    {
+      samples.push_back(p);
+      length = 0;
+    };
     for(std::size_t i = 0; i < outline.size(); ++i)
     {
       const Outline_segment& s = outline[i];
       if(length >= spacing || i == 0 || !is_reflex(outline[i - 1], s))
-        length = add_sample(s.source);
+        add_sample(s.source);
       const double rest = (s.target - s.source).norm();
       const int number = rest > spacing ? int(std::ceil(rest / spacing)) : 1;
       for(int k = 1; k < number; ++k)
-        length = add_sample(s.source + double(k) / number * (s.target - s.source));
-      length += number > 1 ? rest / number : rest;
+        add_sample(s.source + double(k) / number * (s.target - s.source));
+      length += rest / number;
       radius = (std::max)(radius, s.source.norm());
     }
     constexpr int block_size = 6;
@@ -112,13 +117,6 @@ private:
   {
     const Eigen::Vector2d a = former.target - former.source, b = next.target - next.source;
     return former.target == next.source && a.x() * b.y() - a.y() * b.x() < 0;
-  }
-
-  // The length of the outline since that sample.
-  double add_sample(const Eigen::Vector2d& p)
-  {
-    samples.push_back(p);
-    return 0;
   }
 
   void add_block(int begin, int end)
