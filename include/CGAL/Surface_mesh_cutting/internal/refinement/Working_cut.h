@@ -56,7 +56,7 @@ class Working_cut
 public:
   // The references are kept.
   Working_cut(const Problem& problem, const Context& context)
-    : m_problem(problem), m_context(context), m_control(context.control),
+    : m_problem(problem), m_context(context),
       m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control)
   {}
 
@@ -74,8 +74,8 @@ public:
   // All cuts that were mapped.
   const std::vector<Trade_off>& trade_offs() const { return m_trade_offs; }
 
-  bool goes_on() { return !m_map.is_given_up() && m_control.go_further(); }
-  bool is_stopped() const { return m_control.is_stopped(); }
+  bool goes_on() { return !m_map.is_given_up() && m_context.control.go_further(); }
+  bool is_stopped() const { return m_context.control.is_stopped(); }
 
   // Connects these features; the tree is not mapped yet.
   void connect(std::vector<int> features, const CGAL::internal::Steiner_tree::Options& options)
@@ -86,7 +86,7 @@ public:
 
   void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
-    m_tree = connect_terminals<ConcurrencyTag>(m_problem.mesh, m_problem.constraints, m_features, options, m_control);
+    m_tree = connect_terminals<ConcurrencyTag>(m_problem.mesh, m_problem.constraints, m_features, options, m_context.control);
     m_is_connected = true;
     m_cost = cut_cost(m_problem.constraints, m_tree.cut);
   }
@@ -202,7 +202,6 @@ private:
 
   const Problem& m_problem;
   const Context m_context;
-  Run_control& m_control;
   Incremental_parameterization m_map;
   bool m_is_injective = false;
   mutable std::optional<Injective_map> m_injective; // of the present cut

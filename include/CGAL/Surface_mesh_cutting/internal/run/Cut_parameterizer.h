@@ -108,9 +108,7 @@ public:
   {
     Injective_cut injective = injective_cut(result);
     Injective_trimmer(m_problem, m_context).trim(bound, injective);
-    result.lower_bound = mandatory_length(); // that of a tree was one through ends that may be gone
-    result.is_optimal = false;
-    take(std::move(injective), result);
+    take_other_ends(std::move(injective), result);
   }
 
   // Moves ends of a cut whose map without overlaps keeps the bound, by the energy of that map: where parts are in each
@@ -120,15 +118,14 @@ public:
     constexpr double step = 0.1; // of the length of the cut
     Working_cut cut(m_problem, m_context);
     End_search<ConcurrencyTag> search(m_problem, m_context.parameters, false, cut);
-    Component_result former = result;
-    if(!search.can_move() || !cut.start_injectively(injective_cut(former)))
+    if(!search.can_move() || !cut.start_injectively(injective_cut(result)))
       return;
     search.move_ends(step);
     Component_result moved = result;
-    take_injective(cut.state(), moved);
+    take_other_ends(injective_cut(cut.state()), moved);
     relieve(cut.chart(), bound, moved);
     if(search.best() && (moved.energy > bound || moved.cost > search.best()->cost))
-      take_injective(*search.best(), moved);
+      take_other_ends(injective_cut(*search.best()), moved);
     if(moved.energy <= bound && moved.cost < result.cost)
       result = std::move(moved);
   }
@@ -162,17 +159,22 @@ private:
     return m_problem.is_opened ? 0 : cut_length(m_problem.mesh, m_problem.constraints.mandatory);
   }
 
-  static Injective_cut injective_cut(Component_result& result)
+  static Injective_cut injective_cut(const Component_result& result)
   {
-    return {std::move(result.cut), std::move(result.chart), {std::move(result.uv), result.energy},
-            std::move(result.features)};
+    return {result.cut, result.chart, {result.uv, result.energy}, result.features};
   }
 
-  void take_injective(const Mapped_cut& cut, Component_result& result) const
+  static Injective_cut injective_cut(const Mapped_cut& cut)
   {
-    result.lower_bound = mandatory_length(); // that of a tree was one through other ends
+    return {cut.chart.cut, cut.chart.chart, *cut.injective, cut.features};
+  }
+
+  // Some of the ends that the tree was proven shortest for may be gone.
+  void take_other_ends(Injective_cut injective, Component_result& result) const
+  {
+    result.lower_bound = mandatory_length();
     result.is_optimal = false;
-    take({cut.chart.cut, cut.chart.chart, *cut.injective, cut.features}, result);
+    take(std::move(injective), result);
   }
 
   void take(Injective_cut injective, Component_result& result) const
