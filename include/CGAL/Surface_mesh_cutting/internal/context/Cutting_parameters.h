@@ -40,7 +40,7 @@ struct Cutting_parameters
 {
   double minimum_distortion_decrease = 0.01; // epsilon_iso, of the area-averaged energy
   double minimum_length_decrease = 0.01;     // epsilon_len, times the bounding box diagonal
-  double decrease_per_cost = 0.15;         // of the energy, for a slit to be worth its length in
+  double decrease_per_cost = 0.15;           // of the energy, for a slit to be worth its length in
                                              // bounding box diagonals
   double maximum_average_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
   bool has_weights = false;                  // whether edges cost other than their length
@@ -105,6 +105,13 @@ struct Cutting_parameters
     moves_ends = false; // they move to cheap places
     if(number_of_shortening_solves > 0)
       number_of_shortening_solves = (std::max)(number_of_shortening_solves, least_number_of_solves);
+  }
+
+  // Cost: to remove less of a cut is not worth another map.
+  double least_removal() const
+  {
+    constexpr double worthwhile = 0.1; // of epsilon_len
+    return worthwhile * connection.minimum_length_decrease;
   }
 
   // Of the search for a long path: the paper starts at a random vertex.

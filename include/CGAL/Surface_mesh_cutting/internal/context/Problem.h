@@ -40,6 +40,15 @@ struct Problem
   bool is_sphere;
   bool has_many_handles = false; // more than a tree that is proven shortest could connect the loops of
   bool is_opened = false;        // to a disk, by what is mandatory
+
+  // Per vertex, whether it is a terminal: branches that end there stay.
+  std::vector<char> terminal_marks() const
+  {
+    std::vector<char> marks(mesh.number_of_vertices(), 0);
+    for(int v : terminals)
+      marks[v] = 1;
+    return marks;
+  }
 };
 
 } // namespace internal

@@ -53,8 +53,8 @@ class Cut_refiner
 public:
   // The references are kept. What is mandatory, and the terminals, stay on the cut.
   Cut_refiner(const Problem& problem, const Context& context)
-    : m_problem(problem), m_mesh(problem.mesh), m_constraints(problem.constraints), m_terminals(problem.terminals),
-      m_parameters(context.parameters), m_slits(problem.mesh, problem.constraints),
+    : m_problem(problem), m_mesh(problem.mesh), m_constraints(problem.constraints), m_parameters(context.parameters),
+      m_slits(problem.mesh, problem.constraints),
       m_removals(problem.mesh, problem.constraints), m_cut(problem, context)
   {}
 
@@ -122,7 +122,7 @@ public:
   // Each takes up to two solves.
   void move_ends(const Refinement_limits& limits, int number_of_branches)
   {
-    std::vector<char> is_done = kept_tips();
+    std::vector<char> is_done = m_problem.terminal_marks();
     for(int i = 0; i < number_of_branches && m_cut.goes_on(); ++i)
     {
       const Branch_removal branch = m_removals.most_expensive(m_cut.cut(), is_done);
@@ -183,7 +183,7 @@ public:
   void shorten(const Refinement_limits& limits)
   {
     m_solves_left = limits.number_of_solves;
-    std::vector<char> is_kept = kept_tips();
+    std::vector<char> is_kept = m_problem.terminal_marks();
     drop_branches(limits, m_solves_left, is_kept);
     while(m_solves_left > 0 && m_cut.goes_on() && exchange(limits, is_kept))
       continue;
@@ -243,8 +243,7 @@ private:
   // Until so many attempts have failed.
   void drop_branches(const Refinement_limits& limits, int maximum_number_of_failures, const std::vector<char>& is_kept)
   {
-    constexpr double worthwhile = 0.1; // of epsilon_len: removing less is not worth a solve
-    const double least = worthwhile * m_parameters.connection.minimum_length_decrease;
+    const double least = m_parameters.least_removal();
     const auto allowed_energy = [&](double cost)
     { return cost < least ? 0 : largest_energy(limits, m_cut.energy(), cost) - m_cut.energy(); };
     int number_of_failures = 0;
@@ -291,15 +290,6 @@ private:
     return objective() < former && m_cut.energy() <= limits.energy;
   }
 
-  // Per vertex, whether a branch that ends there stays.
-  std::vector<char> kept_tips() const
-  {
-    std::vector<char> is_kept(m_mesh.number_of_vertices(), 0);
-    for(int v : m_terminals)
-      is_kept[v] = 1;
-    return is_kept;
-  }
-
   // Opens slits until more of the cut can be closed than was opened. False if no slit is left to try.
   bool exchange(const Refinement_limits& limits, std::vector<char>& is_kept)
   {
@@ -329,7 +319,6 @@ private:
   const Problem& m_problem;
   const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
-  const std::vector<int>& m_terminals;
   const Cutting_parameters& m_parameters;
   Slit_search m_slits;
   Branch_removal_search m_removals;

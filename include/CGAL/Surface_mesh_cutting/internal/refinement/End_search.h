@@ -46,17 +46,15 @@ public:
   // The references are kept. `keeps_tree`: see `Refinement_limits`.
   End_search(const Problem& problem, const Cutting_parameters& parameters, bool keeps_tree,
              Working_cut<ConcurrencyTag>& cut)
-    : m_mesh(problem.mesh), m_terminals(problem.terminals), m_parameters(parameters), m_keeps_tree(keeps_tree),
-      m_cut(cut), m_removals(problem.mesh, problem.constraints), m_slits(problem.mesh, problem.constraints),
+    : m_problem(problem), m_mesh(problem.mesh), m_parameters(parameters), m_keeps_tree(keeps_tree), m_cut(cut),
+      m_removals(problem.mesh, problem.constraints), m_slits(problem.mesh, problem.constraints),
       m_cost_at_bound(parameters.maximum_average_distortion)
   {}
 
   // Once for each branch, the most expensive first, of which at most such a share of the whole cut is closed.
   void move_ends(double share)
   {
-    std::vector<char> is_done(m_mesh.number_of_vertices(), 0);
-    for(int v : m_terminals)
-      is_done[v] = 1;
+    std::vector<char> is_done = m_problem.terminal_marks();
     for(int i = 0; i < maximum_number_of_ends() && m_cut.goes_on(); ++i)
     {
       const Branch_removal part
@@ -119,10 +117,10 @@ private:
   {
     const std::size_t maximum_number_of_trees = maximum_number_of_ends() / 2;
     const std::vector<int> degrees = cut_degrees(m_mesh, m_cut.cut());
+    const std::vector<char> is_terminal = m_problem.terminal_marks();
     std::vector<int> inner;
     for(int v : m_cut.features())
-      if(degrees[v] > 1 && std::find(m_terminals.begin(), m_terminals.end(), v) == m_terminals.end() &&
-         inner.size() < maximum_number_of_trees)
+      if(degrees[v] > 1 && !is_terminal[v] && inner.size() < maximum_number_of_trees)
         inner.push_back(v);
     return inner;
   }
@@ -200,8 +198,8 @@ private:
            (m_cut.tree().cut == present || (m_cut.map_tree(infinity) && is_better_than(former)));
   }
 
+  const Problem& m_problem;
   const Indexed_mesh& m_mesh;
-  const std::vector<int>& m_terminals;
   const Cutting_parameters& m_parameters;
   const bool m_keeps_tree;
   Working_cut<ConcurrencyTag>& m_cut;

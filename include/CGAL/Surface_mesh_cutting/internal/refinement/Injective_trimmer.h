@@ -40,17 +40,13 @@ public:
   Injective_trimmer(const Problem& problem, const Context& context)
     : m_problem(problem), m_context(context),
       m_map(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control),
-      m_parts(problem.mesh, problem.constraints), m_is_kept(problem.mesh.number_of_vertices(), 0)
-  {
-    for(int v : problem.terminals)
-      m_is_kept[v] = 1;
-  }
+      m_parts(problem.mesh, problem.constraints), m_is_kept(problem.terminal_marks())
+  {}
 
   // The cut keeps the bound before and afterwards.
   void trim(double bound, Injective_cut& cut)
   {
-    constexpr double worthwhile = 0.1; // of epsilon_len: removing less is not worth a map
-    const double least = worthwhile * m_context.parameters.connection.minimum_length_decrease;
+    const double least = m_context.parameters.least_removal();
     const auto allowed_energy = [&](double cost) { return cost < least ? 0 : bound - cut.map.energy; };
     int parts_left = maximum_number_of_parts();
     if(parts_left == 0 || !m_map.initialize(cut.cut))
@@ -102,7 +98,7 @@ private:
   const Context m_context;
   Incremental_parameterization m_map; // that may overlap
   Branch_removal_search m_parts;
-  std::vector<char> m_is_kept; // per vertex, whether a branch that ends there stays
+  const std::vector<char> m_is_kept; // per vertex, whether a branch that ends there stays
 };
 
 } // namespace internal

@@ -76,10 +76,7 @@ Indexed_status open_to_disk(Problem& problem, const Context& context)
                                                               context.parameters.connection, context.control);
   if(!connected.status)
     return connected.status;
-  std::vector<char> is_kept(mesh.number_of_vertices(), 0);
-  for(int v : problem.terminals)
-    is_kept[v] = 1;
-  Opening_search search(mesh, constraints, std::move(is_kept), std::move(connected.cut));
+  Opening_search search(mesh, constraints, problem.terminal_marks(), std::move(connected.cut));
   search.run(context.control);
   problem.constraints.mandatory = search.cut();
   problem.is_opened = true;
