@@ -1,6 +1,7 @@
 """One shape at sizes from 2,000 to a million triangles."""
 
 import csv
+import json
 import pathlib
 import shutil
 import statistics
@@ -53,6 +54,20 @@ def draw(bench, rows):
         script = pathlib.Path(__file__).resolve().with_name("scaling.gnuplot")
         subprocess.run(["gnuplot", "-e", "file='sizes.csv'", script], cwd=bench.options.output, check=True,
                        stderr=subprocess.DEVNULL)
+
+
+def measure_factorization(bench):
+    """A whole run against one numeric factorization of its last system."""
+    mesh, unwrapped, report = shapes(bench)[-1], bench.folder / "unwrapped.obj", bench.folder / "report.json"
+    subprocess.run([bench.program("unwrap"), mesh, "-o", unwrapped, "--json", report, "--quiet", "--threads", "1", "--effort",
+                    "fast", "--allow-overlap", "--uv-scale", "surface"], check=True)
+    rows, _ = bench.rows([bench.program("assembly"), unwrapped])
+    unwrapped.unlink()
+    seconds = {row["solver"]: float(row["factorization_ms"]) / 1000 for row in rows}
+    total = total_seconds(json.loads(report.read_text(encoding="utf-8")))
+    return Measured({"triangles": int(rows[0]["triangles"]), "seconds": total, "own_seconds": seconds["own"],
+                     "simplicial_seconds": seconds["SimplicialLDLT"], "ratio": total / seconds["SimplicialLDLT"],
+                     "own_ratio": total / seconds["own"]})
 
 
 def measure_solvers(bench):
