@@ -16,11 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/soup/Least_triangulation.h>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Marked_triangulation.h>
 
 #include <cmath>
 #include <utility>
@@ -34,12 +30,7 @@ namespace internal {
 // n - 2 triangles of the corners alone, as where the polygon crosses or touches itself. O(n log n) on usual polygons.
 inline std::vector<Triangle> constrained_triangulation(const std::vector<Point>& polygon)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-  using Face_base = CGAL::Triangulation_face_base_with_info_2<
-    bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel> >;
-  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>, CGAL::Exact_predicates_tag>;
+  using Triangulation = Surface_mesh_parameterization::internal::Marked_triangulation;
 
   const Point normal = area_vector(polygon);
   int axis = 0; // that the normal is closest to
@@ -52,12 +43,19 @@ inline std::vector<Triangle> constrained_triangulation(const std::vector<Point>&
   std::vector<Triangulation::Vertex_handle> corners;
   for(int i = 0; i < int(polygon.size()); ++i)
   {
-    corners.push_back(triangulation.insert(Kernel::Point_2(polygon[i][x], polygon[i][y])));
+    corners.push_back(triangulation.insert(Triangulation::Point(polygon[i][x], polygon[i][y])));
     corners.back()->info() = i;
   }
-  for(std::size_t i = 0; i < corners.size(); ++i)
-    if(corners[i] != corners[(i + 1) % corners.size()])
-      triangulation.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
+  try
+  {
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      if(corners[i] != corners[(i + 1) % corners.size()])
+        triangulation.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  catch(const Triangulation::Intersection_of_constraints_exception&)
+  {
+    return {};
+  }
   if(triangulation.number_of_vertices() != corners.size() || triangulation.dimension() != 2)
     return {};
 

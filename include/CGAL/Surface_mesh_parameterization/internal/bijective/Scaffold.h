@@ -15,13 +15,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Marked_triangulation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <Eigen/Core>
 
@@ -63,18 +58,11 @@ public:
   static constexpr int number_of_corners = 4;
 
 private:
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Vertex_base = Triangulation_vertex_base_with_info_2<int, Kernel>;
-  using Face_base // the information: whether the face is outside of the chart
-    = Triangulation_face_base_with_info_2<bool, Kernel, Constrained_triangulation_face_base_2<Kernel> >;
-  using Data_structure = Triangulation_data_structure_2<Vertex_base, Face_base>;
-  // With this tag, borders that cross end the triangulation by an exception; constructing their crossings would cost
-  // every program seconds of compilation. Borders that touch leave fewer edges.
-  using Triangulation = Constrained_Delaunay_triangulation_2<Kernel, Data_structure,
-                                                             No_constraint_intersection_requiring_constructions_tag>;
+  // Whose marks say whether a face is outside of the chart. Where borders cross, it throws.
+  using Triangulation = Marked_triangulation;
   using Vertex_handle = Triangulation::Vertex_handle;
   using Face_handle = Triangulation::Face_handle;
-  using Point_2 = Kernel::Point_2;
+  using Point_2 = Triangulation::Point;
 
   Vertex_handle insert(int v, Face_handle hint)
   {
