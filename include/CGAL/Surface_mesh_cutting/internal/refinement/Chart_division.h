@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
 
 #include <Eigen/Core>
 
@@ -184,7 +185,7 @@ private:
         result.back().cost += m_problem.constraints.weights[path[i]];
         result.back().edges.push_back(path[i]);
       }
-    std::stable_sort(result.begin(), result.end(), [](const Seam& s, const Seam& t) { return s.cost > t.cost; });
+    CGAL::internal::Graph_kernel::sort_by_key(result, [](const Seam& seam) { return -seam.cost; });
     return result;
   }
 

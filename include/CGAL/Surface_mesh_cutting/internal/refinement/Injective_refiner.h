@@ -27,6 +27,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -133,8 +135,7 @@ private:
       if(is_enough)
         break;
     }
-    std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b)
-                     { return a.slit.gain_per_cost() > b.slit.gain_per_cost(); });
+    CGAL::internal::Graph_kernel::sort_by_key(trials, [](const Trial& trial) { return -trial.slit.gain_per_cost(); });
     return trials;
   }
 
@@ -151,7 +152,7 @@ private:
     add(m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each), slits);
     if(m_context.parameters.opens_slits_first)
       add(best_by_windows(cut, distortion), slits);
-    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b) { return a.cost < b.cost; });
+    CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return slit.cost; });
     return slits;
   }
 
@@ -176,8 +177,7 @@ private:
     std::vector<Slit> slits = m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_windows);
     for(Slit& slit : slits)
       slit.gain = map.estimate_gain(slit.edges);
-    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b)
-                     { return a.gain_per_cost() > b.gain_per_cost(); });
+    CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return -slit.gain_per_cost(); });
     slits.resize((std::min)(slits.size(), number_of_slits));
     return slits;
   }

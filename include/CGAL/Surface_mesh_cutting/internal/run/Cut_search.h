@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,8 +64,7 @@ public:
       if(m_control.go_further())
         found[i] = find(first_start + i, i);
     });
-    std::stable_sort(found.begin(), found.end(),
-                     [this](const Found& a, const Found& b) { return expected_cost(a) < expected_cost(b); });
+    CGAL::internal::Graph_kernel::sort_by_key(found, [this](const Found& f) { return expected_cost(f); });
     Detected_features result = found.front().detected;
     if(found.front().cost < infinity)
       combine(found, result);
@@ -217,7 +217,8 @@ private:
       last = refined_further(refiner, limited(is_bounded ? more_solves_with_bound : more_solves_without_bound));
     for(const Refiner& r : refiners)
       add(r.cut().trade_offs(), trade_offs);
-    return (std::min)({found.front(), *first, last}, better);
+    const Found& finalist = better(last, *first) ? last : *first;
+    return better(finalist, found.front()) ? finalist : found.front();
   }
 
   static void add(const std::vector<Trade_off>& others, std::vector<Trade_off>& trade_offs)

@@ -14,6 +14,7 @@
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Bottlenecks.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
@@ -116,7 +117,7 @@ private:
       if(!remove_idle_points())
         break;
     }
-    std::stable_sort(m_links.begin(), m_links.end(), [](const Edge& a, const Edge& b) { return a.weight < b.weight; });
+    Graph_kernel::sort_by_key(m_links, [](const Edge& link) { return link.weight; });
     m_length = 0.;
     for(const Edge& link : m_links)
       m_length += link.weight;
@@ -216,8 +217,7 @@ private:
         if(insertion.gain > minimum_decrease)
           result.push_back(insertion);
       }
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Insertion& a, const Insertion& b) { return a.gain > b.gain; });
+    Graph_kernel::sort_by_key(result, [](const Insertion& insertion) { return -insertion.gain; });
     return result;
   }
 
