@@ -69,13 +69,12 @@ public:
     constexpr double relative_shift = 1e-11;
     double trace = 0;
     for(int v = 0; v < int(m_masses.size()); ++v)
-      trace += m_energy.coeff(v, v).real();
+      trace += diagonal(v).real();
     const double shift = relative_shift * trace / m_masses.sum();
-    Matrix shifted = m_energy;
     for(int v = 0; v < int(m_masses.size()); ++v)
-      shifted.coeffRef(v, v) += shift * m_masses[v];
+      diagonal(v) += shift * m_masses[v];
     const std::unique_ptr<Hermitian_solver> solver = linear_solvers.make_hermitian_solver();
-    if(!go_further() || !solver->factorize(shifted))
+    if(!go_further() || !solver->factorize(m_energy))
       return false;
 
     normalize();
@@ -121,9 +120,12 @@ private:
     }
     m_energy.setFromTriplets(entries.begin(), entries.end()); // the lower half
     for(int v = 0; v < int(m_masses.size()); ++v)
-      if(m_energy.coeff(v, v) == Complex(0))
-        m_energy.coeffRef(v, v) = 1; // not in use
+      if(diagonal(v) == Complex(0))
+        diagonal(v) = 1; // not in use
   }
+
+  // The first entry of each column; all are there. Eigen's access would insert those that are not.
+  Complex& diagonal(int v) { return m_energy.valuePtr()[m_energy.outerIndexPtr()[v]]; }
 
   // The mass of a border vertex is its share of the border; the iteration starts from a map of the
   // longest border to a circle.

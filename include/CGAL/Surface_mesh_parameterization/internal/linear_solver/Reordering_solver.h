@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/reordered.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -36,25 +37,22 @@ public:
 
   bool factorize(const Sparse_matrix& lower) override
   {
-    const std::vector<int> order = minimum_degree_order(lower.selfadjointView<Eigen::Lower>());
-    m_order = Permutation(Eigen::Map<const Eigen::VectorXi>(order.data(), lower.rows())).transpose();
-    Sparse_matrix reordered(lower.rows(), lower.cols());
-    reordered.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(m_order);
-    m_upper = reordered.transpose(); // which sorts the columns
+    m_order = minimum_degree_order(lower);
+    Sparse_matrix twisted(lower.rows(), lower.cols());
+    twisted.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(permutation_to(m_order));
+    m_upper = twisted.transpose(); // which sorts the columns
     m_solver->analyze(m_upper);
     return m_solver->factorize(m_upper);
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) override
   {
-    return m_order.transpose() * m_solver->solve(m_order * right);
+    return in_former_order(m_solver->solve(reordered(right, m_order)), m_order);
   }
 
 private:
-  using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
-
   std::unique_ptr<Linear_solver> m_solver;
-  Permutation m_order;
+  std::vector<int> m_order; // the unknown at each place
   Sparse_matrix m_upper;
 };
 

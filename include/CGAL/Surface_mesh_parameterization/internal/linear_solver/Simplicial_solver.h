@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_factorization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/reordered.h>
 
 #include <CGAL/assertions.h>
 
@@ -59,7 +60,6 @@ class Simplicial_unordered_solver : public Unordered_solver<Scalar>
 {
   using Matrix = typename Unordered_solver<Scalar>::Matrix;
   using Vector = typename Unordered_solver<Scalar>::Vector;
-  using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 public:
   explicit Simplicial_unordered_solver(Go_further go_further) : m_go_further(std::move(go_further)) {}
@@ -73,25 +73,18 @@ public:
     std::copy_n(lower.outerIndexPtr(), lower.cols() + 1, pattern.outerIndexPtr());
     std::copy_n(lower.innerIndexPtr(), lower.nonZeros(), pattern.innerIndexPtr());
     std::fill_n(pattern.valuePtr(), lower.nonZeros(), 1.);
-    m_order = minimum_degree_order(pattern.selfadjointView<Eigen::Lower>());
-    Permutation permutation(lower.rows());
-    for(int i = 0; i < int(m_order.size()); ++i)
-      permutation.indices()[m_order[i]] = i;
+    m_order = minimum_degree_order(pattern);
     Matrix upper(lower.rows(), lower.cols());
     upper.template selfadjointView<Eigen::Upper>()
-      = lower.template selfadjointView<Eigen::Lower>().twistedBy(permutation);
+      = lower.template selfadjointView<Eigen::Lower>().twistedBy(permutation_to(m_order));
     m_factorization.analyze(upper);
     return m_factorization.factorize(upper, m_go_further);
   }
   Vector solve(const Vector& right) override
   {
-    Vector reordered(right.size()), result(right.size());
-    for(Eigen::Index i = 0; i < right.size(); ++i)
-      reordered[i] = right[m_order[i]];
-    m_factorization.solve(reordered);
-    for(Eigen::Index i = 0; i < right.size(); ++i)
-      result[m_order[i]] = reordered[i];
-    return result;
+    Vector result = reordered(right, m_order);
+    m_factorization.solve(result);
+    return in_former_order(result, m_order);
   }
 
 private:

@@ -30,12 +30,13 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// Approximate minimum degree.
-inline std::vector<int> minimum_degree_order(const Sparse_matrix& adjacency)
+// Approximate minimum degree. Of the symmetric matrix, only the lower triangle is read: of a whole one, Eigen would add
+// the transposed to it.
+inline std::vector<int> minimum_degree_order(const Sparse_matrix& lower)
 {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
   Eigen::AMDOrdering<int> order;
-  order(adjacency, permutation);
+  order(lower.selfadjointView<Eigen::Lower>(), permutation);
   return std::vector<int>(permutation.indices().data(),
                           permutation.indices().data() + permutation.size());
 }
