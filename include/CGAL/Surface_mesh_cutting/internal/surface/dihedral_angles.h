@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <vector>
@@ -31,6 +30,7 @@ namespace internal {
 // where it is concave, zero where there is only one normal.
 inline std::vector<double> dihedral_angles(const Indexed_mesh& mesh)
 {
+  using Surface_mesh_parameterization::internal::cross_product;
   const std::vector<Eigen::Vector3d> normals = unit_normals(mesh);
   std::vector<double> result(mesh.number_of_edges(), 0.);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -41,7 +41,7 @@ inline std::vector<double> dihedral_angles(const Indexed_mesh& mesh)
     const Eigen::Vector3d& first = normals[h / 3];
     const Eigen::Vector3d& second = normals[mesh.opposite(h) / 3];
     const Eigen::Vector3d edge = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
-    result[e] = std::atan2(first.cross(second).dot(edge.stableNormalized()), first.dot(second));
+    result[e] = std::atan2(cross_product(first, second).dot(edge.stableNormalized()), first.dot(second));
   }
   return result;
 }

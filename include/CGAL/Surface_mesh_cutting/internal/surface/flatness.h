@@ -31,9 +31,9 @@ namespace internal {
 inline Eigen::Vector3d unit_normal(const Indexed_mesh& mesh, int f)
 {
   const Triangle& t = mesh.triangles()[f];
-  const Eigen::Vector3d u = (mesh.point(t[1]) - mesh.point(t[0])).stableNormalized();
-  const Eigen::Vector3d v = (mesh.point(t[2]) - mesh.point(t[0])).stableNormalized();
-  return Surface_mesh_parameterization::internal::cross_product(u, v).stableNormalized();
+  const Eigen::Vector3d u = mesh.point(t[1]) - mesh.point(t[0]), v = mesh.point(t[2]) - mesh.point(t[0]);
+  return Surface_mesh_parameterization::internal::cross_product(u.stableNormalized(), v.stableNormalized())
+    .stableNormalized();
 }
 
 inline std::vector<Eigen::Vector3d> unit_normals(const Indexed_mesh& mesh)

@@ -20,7 +20,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <vector>
@@ -82,7 +81,7 @@ inline std::vector<double> principal_alignment(const Indexed_mesh& mesh)
     if(!mesh.is_border(h))
       normal += normals[mesh.opposite(h) / 3];
     const Eigen::Vector3d along = unit_direction(mesh, e);
-    const Eigen::Vector3d across = normal.stableNormalized().cross(along);
+    const Eigen::Vector3d across = Surface_mesh_parameterization::internal::cross_product(normal.stableNormalized(), along);
     const double difference = along.dot(tensor * along) - across.dot(tensor * across);
     const double sum = along.dot(tensor * along) + across.dot(tensor * across);
     const double mixed = 2 * along.dot(tensor * across);

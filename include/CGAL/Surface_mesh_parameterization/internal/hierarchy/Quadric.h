@@ -51,7 +51,9 @@ struct Quadric
   }
   double operator()(const Eigen::Vector3d& p) const
   {
-    const Eigen::Vector3d product = a * p;
+    Eigen::Vector3d product; // by hand: all programs would compile the expressions of Eigen's
+    for(int i = 0; i < 3; ++i)
+      product[i] = a(i, 0) * p.x() + (a(i, 1) * p.y() + a(i, 2) * p.z());
     return p.dot(product) + 2 * b.dot(p) + c;
   }
 };
