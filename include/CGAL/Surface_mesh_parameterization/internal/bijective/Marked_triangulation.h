@@ -24,15 +24,16 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
+using Marked_kernel = Exact_predicates_inexact_constructions_kernel;
+
 // The constrained Delaunay triangulation of all who need one, since each other type would cost every program seconds of
 // compilation. Vertices have an index, faces a mark. With this tag, constraints that cross end the triangulation by an
 // exception; constructing their crossings would cost seconds, too. Constraints that touch leave fewer edges.
 using Marked_triangulation = Constrained_Delaunay_triangulation_2<
-  Exact_predicates_inexact_constructions_kernel,
+  Marked_kernel,
   Triangulation_data_structure_2<
-    Triangulation_vertex_base_with_info_2<int, Exact_predicates_inexact_constructions_kernel>,
-    Triangulation_face_base_with_info_2<bool, Exact_predicates_inexact_constructions_kernel,
-                                        Constrained_triangulation_face_base_2<Exact_predicates_inexact_constructions_kernel> > >,
+    Triangulation_vertex_base_with_info_2<int, Marked_kernel>,
+    Triangulation_face_base_with_info_2<bool, Marked_kernel, Constrained_triangulation_face_base_2<Marked_kernel> > >,
   No_constraint_intersection_requiring_constructions_tag>;
 
 } // namespace internal
