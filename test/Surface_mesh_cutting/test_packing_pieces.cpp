@@ -4,6 +4,7 @@
 #undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_mask.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Joint_growth.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
@@ -134,6 +135,8 @@ void test_distances(CGAL::Random& random)
       const bool is_inside = polygon.has_on_bounded_side(to_point(p));
       const Signed_distance found = field(p);
       const double signed_distance = is_inside ? -distance : distance;
+      const double limit = random.get_double(0, reach); // matters only for what is farther away
+      assert(field(p, limit).distance == found.distance || (signed_distance >= limit - 1e-9 && found.distance >= limit));
       assert(field.least_distance(p) <= signed_distance + 1e-9);
       assert(distance > reach || std::abs(field.rough_distance(p) - signed_distance) < 0.04); // a cell's diagonal is 0.06
       if(!is_inside && distance > reach)
@@ -229,8 +232,9 @@ void test_blocks(CGAL::Random& random)
 }
 
 // The one gap between bars is found, for all turns that fit, and rated higher where what is around it weighs more.
-void test_places(CGAL::Random& random)
+void test_places(CGAL::Random& seeds)
 {
+  Packing_random random(seeds.get_int(0, 1000000));
   const std::vector<Rigid_chart> charts = {rectangle(1, 0.5), rectangle(4, 2.4), rectangle(4, 0.9)};
   const std::vector<Rigid_motion> motions = {{0, {2, 2}}, {0, {2, 1.2}}, {0, {2, 3.55}}}; // the gap is at y = 2.4 ... 3.1
   Crowding_map map(charts);
@@ -238,7 +242,7 @@ void test_places(CGAL::Random& random)
   std::vector<Rated_place> places, heavy_places;
   map.look_from(0, [](int) { return 1.; });
   for(int k = 0; k < 50; ++k)
-    map.try_places(0, random.get_double(0, 7), random, places);
+    map.try_places(0, random.share() * 7, random, places);
   for(int k = 0; k < 50; ++k)
     map.try_places(0, CGAL_PI, random, places);
   assert(places.size() == 2 && places[0].energy <= places[1].energy);
@@ -288,6 +292,39 @@ void test_separation(CGAL::Random& random)
   }
 }
 
+// Charts thrown into a large square grow until they are jammed: a bar across it, and a row of squares that has to be
+// straightened for that, which none of them can do alone.
+void test_growth(CGAL::Random& random)
+{
+  constexpr double distance = 0.02, slack = 1e-3;
+  const auto room_at = [=](double scale) { return Square_room{10 / scale, distance, slack}; };
+  const auto go_further = CGAL::internal::Graph_kernel::always_go_further;
+  const auto nearly = [](double scale, double best) { return scale <= best && scale > 0.995 * best; };
+  const std::vector<Rigid_chart> bar(1, rectangle(4, 0.01));
+  std::vector<Rigid_motion> motions(1, Rigid_motion(random.get_double(0.2, 1.3), {5, 5}));
+  const double diagonal = Joint_growth(bar, go_further).grow(motions, 1, 100, room_at);
+  assert(nearly(diagonal, 10 * std::sqrt(2) / 4));
+  const std::vector<Rigid_chart> row(5, rectangle(1, 1));
+  motions.clear();
+  for(int i = 0; i < 5; ++i)
+    motions.emplace_back(random.get_double(-0.2, 0.2), Eigen::Vector2d(1 + 1.9 * i, 5 + random.get_double(-0.3, 0.3)));
+  Joint_growth joint_growth(row, go_further);
+  assert(joint_growth.grow(motions, 1, 1.1, room_at) == 1.1); // the limit
+  const double jammed = joint_growth.grow(motions, 1.1, 100, room_at);
+  assert(jammed > 1.5 && joint_growth.lookups() > 0);
+  Contact_finder finder(row);
+  finder.set_room({room_at(jammed).side, distance, 0});
+  const auto no_contact = [](const Contact&) { assert(false); return true; };
+  for(int i = 0; i < 5; ++i)
+  {
+    finder.at_border(i, motions[i], no_contact);
+    for(int j = 0; j < 5; ++j)
+      if(j != i)
+        finder.in_chart(i, motions[i], j, motions[j], no_contact);
+  }
+  assert(!finder.has_overlap(motions));
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -303,5 +340,6 @@ int main(int argc, char** argv)
   test_blocks(random);
   test_places(random);
   test_separation(random);
+  test_growth(random);
   return EXIT_SUCCESS;
 }

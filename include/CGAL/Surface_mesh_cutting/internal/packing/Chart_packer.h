@@ -15,8 +15,9 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
-#include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Grid_packing.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Off_grid_growth.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Packed_charts.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
@@ -33,25 +34,12 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// A turn about the origin of the chart's outline, the scale that is common to all charts, and a translation.
-struct Chart_motion
-{
-  double angle = 0;
-  Eigen::Vector2d translation = Eigen::Vector2d::Zero();
-};
-
-struct Packed_charts
-{
-  double scale = 0;
-  std::vector<Chart_motion> motions;
-};
-
 // Packs charts into the unit square at the largest common scale that it finds.
 //
 // The charts are drawn on a grid: a chart as the cells that it touches, its margin as the cells that are too close to
 // it. Where no chart touches the margin of another one, distances are kept for sure, and not only between cells. The
 // scale grows as long as one of several strategies finds places for all charts. Coarse grids are used first; after them,
-// still finer ones if there are many charts, otherwise they push each other apart at ever larger scales, off any grid.
+// still finer ones if there are many charts; up to a thousand then grow off any grid.
 template <typename ConcurrencyTag>
 class Chart_packer
 {
@@ -92,7 +80,6 @@ public:
 private:
   static constexpr int several = 100, many = 1000; // charts
   static constexpr std::size_t strategies_on_fine_grids = 2;
-  static constexpr double tolerance = 2e-4; // of simplified outlines
 
   // Of the square inside of the margin.
   double side() const { return 1 - 2 * m_margin; }
@@ -223,83 +210,17 @@ private:
         factor = std::sqrt(factor);
   }
 
-  // Grows by small steps, as long as a number of lookups allows. Where the smallest one fails, two charts change places
-  // before the next attempt.
+  // The charts leave the grid.
   void push_apart()
   {
-    constexpr double first = 1.02, finest = 1.0015, lookups_per_chart = 2e6, quick = 0.02;
-    const double budget = lookups_per_chart * double((std::min)(m_outlines.size(), std::size_t(40)));
-    const std::vector<Rigid_chart> charts = rigid_charts();
-    Chart_separator separator(charts);
-    Random random(0);
-    bool is_stuck = false;
-    double factor = first;
-    while(m_best->scale * finest <= m_limit && double(separator.lookups()) < budget && m_control.go_further())
-    {
-      const long long former = separator.lookups();
-      const double scale = (std::min)(m_best->scale * factor, m_limit);
-      const Square_room room = {side() / scale - 2 * tolerance, m_margin / scale + 2 * tolerance, tolerance};
-      std::vector<Rigid_motion> motions = rigid_motions(scale);
-      if(is_stuck)
-        swap_two(motions, charts, random);
-      is_stuck = false;
-      if(separator.separate(motions, room, (long long)budget, m_control))
-      {
-        m_best = Packed_charts{scale, chart_motions(motions, scale)};
-        if(double(separator.lookups() - former) < quick * budget)
-          factor = (std::min)(first, factor * factor);
-      }
-      else
-      {
-        is_stuck = factor == finest;
-        factor = (std::max)(finest, std::sqrt(factor));
-      }
-    }
-  }
-
-  std::vector<Rigid_chart> rigid_charts() const
-  {
-    const double reach = m_margin / m_best->scale + 4 * tolerance;
     std::vector<std::optional<Rigid_chart> > built(m_outlines.size());
+    const double reach = Off_grid_growth::reach(m_margin, m_best->scale);
     CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_outlines.size()), [&](int i)
-    {
-      built[i].emplace(simplified_outline(m_outlines[i].segments, tolerance), reach);
-    });
+    { built[i].emplace(simplified_outline(m_outlines[i].segments, Off_grid_growth::tolerance), reach); });
     std::vector<Rigid_chart> charts;
     for(std::optional<Rigid_chart>& chart : built)
       charts.push_back(std::move(*chart));
-    return charts;
-  }
-
-  // In a room of which not the scale changes, but the side.
-  std::vector<Rigid_motion> rigid_motions(double scale) const
-  {
-    std::vector<Rigid_motion> motions;
-    for(const Chart_motion& motion : m_best->motions)
-      motions.emplace_back(motion.angle, (motion.translation - corner(scale)) / scale);
-    return motions;
-  }
-
-  std::vector<Chart_motion> chart_motions(const std::vector<Rigid_motion>& rigid, double scale) const
-  {
-    std::vector<Chart_motion> motions;
-    for(const Rigid_motion& motion : rigid)
-      motions.push_back({motion.angle(), corner(scale) + scale * motion.translation()});
-    return motions;
-  }
-
-  // Of that room.
-  Eigen::Vector2d corner(double scale) const { return Eigen::Vector2d::Constant(m_margin + tolerance * scale); }
-
-  // The larger one of two charts takes the place of any other one: large charts decide what is possible.
-  static void swap_two(std::vector<Rigid_motion>& motions, const std::vector<Rigid_chart>& charts, Random& random)
-  {
-    const int number = int(charts.size()), first = random.get_int(0, number), second = random.get_int(0, number);
-    const int i = charts[first].radius > charts[second].radius ? first : second;
-    const int j = (i + random.get_int(1, number)) % number;
-    const Rigid_motion former = motions[i];
-    motions[i] = Rigid_motion(former.angle(), motions[j].translation());
-    motions[j] = Rigid_motion(motions[j].angle(), former.translation());
+    m_best = Off_grid_growth(charts, m_margin, m_limit, m_control).grow(std::move(*m_best));
   }
 
   // The first strategy that succeeds counts; those that fail where others succeed are given up.

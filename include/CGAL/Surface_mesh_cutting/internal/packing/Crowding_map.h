@@ -14,9 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/Packing_random.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Rigid_chart.h>
-
-#include <CGAL/Random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,14 +66,17 @@ public:
     const double radius = m_charts[i].radius + m_reach;
     const auto [left, right] = cells_around(at.translation().x(), radius);
     const auto [low, high] = cells_around(at.translation().y(), radius);
+    const Eigen::Vector2d to_next = at.turned_back(Eigen::Vector2d(m_cell, 0));
     for(int y = low; y <= high; ++y)
-      for(int x = left; x <= right; ++x)
+    {
+      Eigen::Vector2d center = at.turned_back(m_cell * Eigen::Vector2d(left + 0.5, y + 0.5) - at.translation());
+      for(int x = left; x <= right; ++x, center += to_next)
       {
-        const Eigen::Vector2d center = m_cell * Eigen::Vector2d(x + 0.5, y + 0.5);
-        const double depth = m_reach - m_charts[i].field.rough_distance(at.turned_back(center - at.translation()));
+        const double depth = m_reach - m_charts[i].field.rough_distance(center);
         if(depth > 0)
           m_depths[i].push_back({y * size + x, float(depth * depth)});
       }
+    }
   }
 
   // Prepares the search for places for chart `i`; `weight(j)` is that of a contact with chart `j`.
@@ -93,7 +95,7 @@ public:
 
   // Tries chart `i`, turned by `angle`, at some random places in the square. The best of these and of `best`, which is
   // sorted, replace the places in `best`, up to a number.
-  void try_places(int i, double angle, Random& random, std::vector<Rated_place>& best)
+  void try_places(int i, double angle, Packing_random& random, std::vector<Rated_place>& best)
   {
     constexpr int number_of_places = 60;
     constexpr std::size_t number_of_best = 2;
@@ -101,7 +103,7 @@ public:
       return;
     for(int k = 0; k < number_of_places; ++k)
     {
-      const int x = random.get_int(m_first.x, m_last.x + 1), y = random.get_int(m_first.y, m_last.y + 1);
+      const int x = m_first.x + random.below(m_last.x - m_first.x + 1), y = m_first.y + random.below(m_last.y - m_first.y + 1);
       const bool is_full = best.size() == number_of_best;
       const float limit = is_full ? float(best.back().energy) : std::numeric_limits<float>::infinity();
       const float energy = energy_at(y * size + x, limit);
@@ -128,9 +130,9 @@ private:
       for(int x = -lattice; x <= lattice; ++x)
         if(const Eigen::Vector2d p = chart.radius / lattice * Eigen::Vector2d(x, y); chart.field(p).distance < 0)
           points.push_back(p);
-    Random random(0);
+    Packing_random random(0);
     for(int i = int(points.size()) - 1; i > 0; --i)
-      std::swap(points[i], points[random.get_int(0, i + 1)]);
+      std::swap(points[i], points[random.below(i + 1)]);
     return points;
   }
 

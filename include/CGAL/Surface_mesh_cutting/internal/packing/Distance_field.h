@@ -48,6 +48,7 @@ public:
       m_box.add(line.source);
     m_box.grow(reach);
     m_cell = (std::max)(m_box.longest_side() / resolution, (std::numeric_limits<double>::min)());
+    m_cells_per_length = 1 / m_cell;
     m_columns = int(m_box.size().x() / m_cell) + 1;
     m_rows = int(m_box.size().y() / m_cell) + 1;
     for(int y = 0; y < m_rows; ++y)
@@ -55,12 +56,15 @@ public:
         add_cell(m_box.low + m_cell * Eigen::Vector2d(x + 0.5, y + 0.5));
   }
 
-  Signed_distance operator()(const Eigen::Vector2d& p) const
+  // At infinity, too, may be what is at least `limit` outside.
+  Signed_distance operator()(const Eigen::Vector2d& p, double limit = std::numeric_limits<double>::infinity()) const
   {
-    const Eigen::Vector2d place = (p - m_box.low) / m_cell;
+    const Eigen::Vector2d place = place_of(p);
     if(!is_on_grid(place))
       return Signed_distance();
     const std::size_t cell = cell_of(place);
+    if(m_center_distances[cell] - 0.5 * diagonal() >= limit)
+      return Signed_distance();
     return closest(p, m_begins[cell], m_begins[cell + 1], m_is_inside[cell]);
   }
 
@@ -68,7 +72,7 @@ public:
   // a look at one cell.
   double rough_distance(const Eigen::Vector2d& p) const
   {
-    const Eigen::Vector2d place = (p - m_box.low) / m_cell;
+    const Eigen::Vector2d place = place_of(p);
     if(is_on_grid(place))
       return m_center_distances[cell_of(place)];
     const Eigen::Vector2d beyond = (-place).cwiseMax(place - Eigen::Vector2d(m_columns, m_rows)).cwiseMax(0.);
@@ -79,6 +83,8 @@ public:
   double least_distance(const Eigen::Vector2d& p) const { return rough_distance(p) - 0.5 * diagonal(); }
 
 private:
+  Eigen::Vector2d place_of(const Eigen::Vector2d& p) const { return (p - m_box.low) * m_cells_per_length; }
+
   bool is_on_grid(const Eigen::Vector2d& place) const
   { return place.x() >= 0 && place.y() >= 0 && place.x() < m_columns && place.y() < m_rows; }
 
@@ -180,7 +186,7 @@ private:
 
   std::vector<Line> m_lines;
   Surface_mesh_parameterization::internal::Bounding_box<2> m_box;
-  double m_reach, m_cell;
+  double m_reach, m_cell, m_cells_per_length;
   int m_columns, m_rows;
   std::vector<int> m_begins = {0}, m_candidates; // of cells, row by row: segments
   std::vector<char> m_is_inside;                 // of the centers of cells
