@@ -3,15 +3,20 @@
 // measured anew from the UVs.
 
 #include "checks.h"
+#include "star_shapes.h"
 #include "surface_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
 #include <CGAL/Surface_mesh_cutting/cut_length.h>
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/distortion_tree.h>
 #include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
+
+#include <CGAL/Random.h>
+#include <CGAL/tags.h>
 
 #include <cmath>
 #include <functional>
@@ -129,6 +134,51 @@ void test_length_at_bound()
   check(cost(1, 4.05) > before, "length counts more as long as there is room");
   cost.compare_with(4.11);
   check(cost(1, 4.11) > std::cbrt(1.1), "and less above the bound");
+}
+
+// Ways where the map is distorted cost less, by as much as it is distorted there; without distortion, all cost what they are.
+void test_distortion_tree(CGAL::Random& random)
+{
+  namespace internal = SMC::internal;
+  constexpr double ideal = 4, energy = 4.1, share = 0.1;
+  const internal::Indexed_mesh mesh = test::random_star_shape(8, random);
+  const internal::Problem problem{mesh, SMP::internal::rest_shapes(mesh.triangles(), mesh.points()),
+                                  internal::unconstrained(mesh), {}, internal::Initial_cut(), true};
+  const int a = 0, b = mesh.number_of_vertices() / 2;
+  const auto tree = [&](const std::vector<double>& distortion)
+  {
+    return internal::distortion_tree<CGAL::Sequential_tag>(problem, {a, b}, distortion, energy, share,
+                                                           CGAL::internal::Steiner_tree::Options(),
+                                                           CGAL::internal::Graph_kernel::always_go_further);
+  };
+  std::vector<double> distortion(mesh.number_of_vertices(), ideal);
+  const double shortest = internal::cut_length(mesh, tree(distortion).cut);
+  check(std::abs(shortest - test::distances_by_relaxation(mesh, a)[b]) < 1e-9, "without distortion, the shortest path");
+
+  for(double& d : distortion)
+    d = ideal + random.get_double(0, 100 * (energy - ideal));
+  const auto lowered = [&](const internal::Cut& cut)
+  {
+    double cost = 0;
+    for(int e = 0; e < mesh.number_of_edges(); ++e)
+    {
+      const double d = (distortion[mesh.source(mesh.halfedge(e))] + distortion[mesh.target(mesh.halfedge(e))]) / 2;
+      cost += cut[e] ? mesh.length(e) / (1 + share * (d - ideal) / (energy - ideal)) : 0;
+    }
+    return cost;
+  };
+  const internal::Cut way = tree(distortion).cut;
+  check(internal::cut_length(mesh, way) >= shortest - 1e-9, "no way is shorter than the shortest one");
+  for(int v = 0; v < mesh.number_of_vertices(); ++v) // detours
+  {
+    if(v == a || v == b)
+      continue;
+    const internal::Cut detour
+      = internal::connect_terminals<CGAL::Sequential_tag>(mesh, problem.constraints, {a, v, b},
+                                                          CGAL::internal::Steiner_tree::Options(),
+                                                          CGAL::internal::Graph_kernel::always_go_further).cut;
+    check(lowered(way) <= lowered(detour) + 1e-9, "no detour is cheaper");
+  }
 }
 
 // A default run moves ends at the bound: it finds a shorter cut than a fast run, which keeps the bound as well.
@@ -254,8 +304,13 @@ void test_stopping()
 
 int main()
 {
+  const unsigned int seed = CGAL::get_default_random().get_seed();
+  std::cout << "seed " << seed << std::endl;
+  CGAL::Random random(seed);
   test_bounds();
   test_length_at_bound();
+  for(int i = 0; i < 5; ++i)
+    test_distortion_tree(random);
   test_moved_ends();
   test_room_at_bound(SMC::Effort::FAST, "fast");
   test_room_at_bound(SMC::Effort::DEFAULT, "default");

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Local_window.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Mapping_policy.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/vertex_distortion.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
@@ -224,10 +225,7 @@ public:
   // The distortion of each surface vertex (paper, Equation (3)).
   std::vector<double> vertex_distortion() const
   {
-    using namespace Surface_mesh_parameterization::internal;
-    return vertex_averages(m_shapes, m_mesh.triangles(),
-                           face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_state.chart.triangles(), m_state.uv),
-                           m_mesh.number_of_vertices());
+    return internal::vertex_distortion(m_mesh, m_shapes, m_state.chart, m_state.uv);
   }
 
   // How far each surface vertex's copies lie from the first of them in the plane; 0 inside.

@@ -34,7 +34,8 @@ namespace internal {
 
 // Moves the ends of a cut about: trims or prolongs a branch, lets its end slide aside, or opens a slit elsewhere
 // instead. The outer part of the branch is closed, and windows around slits to other ends tell what each of them would
-// gain, relative to what closing has cost. The cut stays near a bound of the energy, above or below it.
+// gain, relative to what closing has cost. The ways between the ends move to where the map is distorted. The cut stays
+// near a bound of the energy, above or below it.
 template <typename ConcurrencyTag>
 class End_search
 {
@@ -88,6 +89,26 @@ public:
       m_cut.connect(m_parameters.connection_while_refining());
       if(!m_cut.tree().status || m_cut.cost() > least_decrease * former.cost || !m_cut.map_tree(infinity) ||
          !is_better_than(former))
+        m_cut.restore(std::move(former));
+    }
+  }
+
+  // Leads the cut where the map is distorted, as far as it does better so. It need not remain a tree of least cost.
+  void reroute()
+  {
+    constexpr double shares[] = {0.05, 0.1}; // see `distortion_tree()`
+    for(double share : shares)
+    {
+      if(!m_cut.goes_on())
+        return;
+      m_cost_at_bound.compare_with(m_cut.energy());
+      Mapped_cut former = m_cut.state();
+      if(m_cut.reroute(share) && is_better_than(former))
+      {
+        m_cost_at_bound.adapt(m_cut.energy());
+        keep_best();
+      }
+      else
         m_cut.restore(std::move(former));
     }
   }

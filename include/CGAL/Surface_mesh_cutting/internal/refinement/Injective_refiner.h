@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/vertex_distortion.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 
@@ -25,7 +26,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/open_injectively.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
 
@@ -52,7 +52,7 @@ public:
   // to the problem and to what the context holds are kept.
   Injective_refiner(const Problem& problem, const Context& context, const Open_chart& overlapping)
     : m_problem(problem), m_context(context), m_slits(problem.mesh, problem.constraints),
-      m_reference(vertex_distortion(overlapping.chart, overlapping.uv)), m_ranks(overlapping.ranks),
+      m_reference(vertex_distortion(problem.mesh, problem.shapes, overlapping.chart, overlapping.uv)), m_ranks(overlapping.ranks),
       m_is_excluded(problem.mesh.number_of_vertices(), 0)
   {}
 
@@ -144,7 +144,7 @@ private:
   std::vector<Slit> proposals(const Injective_cut& cut)
   {
     constexpr std::size_t number_of_each = 2;
-    const std::vector<double> distortion = vertex_distortion(cut.chart, cut.map.uv);
+    const std::vector<double> distortion = vertex_distortion(m_problem.mesh, m_problem.shapes, cut.chart, cut.map.uv);
     std::vector<double> excess = distortion;
     for(std::size_t v = 0; v < excess.size(); ++v)
       excess[v] += Symmetric_Dirichlet_energy::ideal - m_reference[v];
@@ -206,14 +206,6 @@ private:
     m_number_of_solved_faces += double(newton.iterations) * m_problem.mesh.number_of_faces();
     result.map.energy = is_bijective(result.chart, result.map.uv) ? newton.energy : std::numeric_limits<double>::infinity();
     return result;
-  }
-
-  std::vector<double> vertex_distortion(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv) const
-  {
-    using namespace Surface_mesh_parameterization::internal;
-    return vertex_averages(m_problem.shapes, m_problem.mesh.triangles(),
-                           face_energies<Symmetric_Dirichlet_energy>(m_problem.shapes, chart.triangles(), uv),
-                           m_problem.mesh.number_of_vertices());
   }
 
   const Problem& m_problem;

@@ -20,8 +20,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/vertex_distortion.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/distortion_tree.h>
 
 #include <algorithm>
 #include <limits>
@@ -97,6 +99,20 @@ public:
   // energy is above `bound`, as soon as that is foreseeable.
   bool map_tree(double bound) { return map_tree(bound, m_map.policy().precision); }
   bool map_tree(double bound, double precision) { return map(m_tree.cut, bound, precision); }
+
+  // Maps the surface opened along a tree through the features that leads where the map is distorted, see
+  // `distortion_tree()`. False as for map_tree(), or if that is the present cut.
+  bool reroute(double share)
+  {
+    const Connected_cut other
+      = distortion_tree<ConcurrencyTag>(m_problem, m_features, vertex_distortion(), energy(), share,
+                                        m_context.parameters.connection_while_refining(), m_context.control);
+    if(!other.status || other.cut == cut())
+      return false;
+    m_is_connected = false;
+    m_cost = cut_cost(m_problem.constraints, other.cut);
+    return map(other.cut, infinity, m_map.policy().precision);
+  }
 
   // Lets the tree do without it; the cut stays as it is.
   void drop_feature(int v)
@@ -183,6 +199,13 @@ private:
       return false;
     record();
     return true;
+  }
+
+  // Of each surface vertex, by the map that counts.
+  std::vector<double> vertex_distortion() const
+  {
+    return m_is_injective ? internal::vertex_distortion(m_problem.mesh, m_problem.shapes, chart().chart, injective().uv)
+                          : m_map.vertex_distortion();
   }
 
   // Known once there was need for it: it takes longer than the running map.

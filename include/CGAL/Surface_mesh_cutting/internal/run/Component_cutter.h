@@ -83,7 +83,7 @@ public:
       if(runs.size() == 1 && goes_on_after(results))
         for(const Cutting_parameters& further : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
           runs.push_back(further);
-      if(runs.size() < seeds.size() && lacks_room(results))
+      if(runs.size() < seeds.size() && (lacks_room(results) || is_small()))
       {
         runs.push_back(m_context.parameters);
         runs.back().random_seed = seeds[runs.size() - 1];
@@ -105,6 +105,13 @@ private:
     return has_bound(m_context.parameters) && !m_context.parameters.use_published_method &&
            m_problem.mesh.number_of_faces() <= largest && !results.empty() &&
            results.front().has_map && results.front().energy > m_context.parameters.maximum_average_distortion;
+  }
+
+  // On small surfaces, starts differ most, and each takes little time.
+  bool is_small() const
+  {
+    constexpr int largest = 3000; // faces
+    return m_context.parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
   }
 
   // Where it takes much of the cut to keep parts of the chart out of each other's way, a start that leads to another chart

@@ -111,16 +111,19 @@ public:
     take_other_ends(std::move(injective), result);
   }
 
-  // Moves ends of a cut whose map without overlaps keeps the bound, by the energy of that map: where parts are in each
-  // other's way, cuts that hardly differ need more room or less. What ends above the bound is relieved once more.
-  void move_ends(double bound, Component_result& result) const
+  // Moves ends and ways of a cut whose map without overlaps keeps the bound, by the energy of that map: where parts are in
+  // each other's way, cuts that hardly differ need more room or less, and slits for room start where the cut happened to be
+  // near. What ends above the bound is relieved once more.
+  void move_ends_and_ways(double bound, Component_result& result) const
   {
     constexpr double step = 0.1; // of the length of the cut
     Working_cut cut(m_problem, m_context);
     End_search<ConcurrencyTag> search(m_problem, m_context.parameters, false, cut);
     if(!search.can_move() || !cut.start_injectively(injective_cut(result)))
       return;
+    search.reroute();
     search.move_ends(step);
+    search.reroute();
     Component_result moved = result;
     take_other_ends(injective_cut(cut.state()), moved);
     relieve(cut.chart(), bound, moved);

@@ -182,8 +182,10 @@ private:
   {
     const double bound = m_parameters.maximum_average_distortion;
     m_parameterizer.trim(bound, result);
-    if(m_parameters.moves_ends && rounds_of_moved_ends() > 0)
-      m_parameterizer.move_ends(bound, result);
+    if(!m_parameters.moves_ends || rounds_of_moved_ends() == 0)
+      return;
+    m_parameterizer.move_ends_and_ways(bound, result);
+    m_parameterizer.trim(bound, result); // that may have left some room below the bound
   }
 
   void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const
