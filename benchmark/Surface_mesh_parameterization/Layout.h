@@ -18,10 +18,11 @@ struct Layout
   std::vector<CGAL::Surface_mesh_parameterization::internal::Triangle> triangles;
 };
 
-// From an OBJ file of triangles with texture coordinates. It keeps the orientation of the input's faces, and the layout
-// that of the surface.
+// From an OBJ file of polygons with texture coordinates, as fans of triangles. It keeps the orientation of the input's
+// faces, and the layout that of the surface.
 inline Layout read_layout(const std::string& name)
 {
+  using CGAL::Surface_mesh_parameterization::internal::triangle_area;
   Layout layout;
   std::vector<Eigen::Vector3d> vertices;
   std::ifstream file(name);
@@ -42,17 +43,19 @@ inline Layout read_layout(const std::string& name)
     else if(key == "f")
     {
       layout.points.resize(layout.uv.size());
-      auto& t = layout.triangles.emplace_back();
-      for(int& corner : t)
+      std::vector<int> corners;
+      char slash;
+      for(int vertex, corner; words >> vertex >> slash >> corner; words.ignore(line.size(), ' '))
       {
-        int vertex;
-        char slash;
-        words >> vertex >> slash >> corner;
-        layout.points[--corner] = vertices[vertex - 1];
-        words.ignore(line.size(), ' ');
+        corners.push_back(corner - 1);
+        layout.points[corner - 1] = vertices[vertex - 1];
       }
-      if(CGAL::Surface_mesh_parameterization::internal::triangle_area(t, layout.uv) < 0)
-        std::swap(t[1], t[2]);
+      const std::size_t first = layout.triangles.size();
+      double area = 0;
+      for(std::size_t k = 2; k < corners.size(); ++k)
+        area += triangle_area(layout.triangles.emplace_back(corners[0], corners[k - 1], corners[k]), layout.uv);
+      for(std::size_t t = first; t < layout.triangles.size() && area < 0; ++t)
+        std::swap(layout.triangles[t][1], layout.triangles[t][2]);
     }
   }
   return layout;
