@@ -51,9 +51,7 @@ struct Quadric
   }
   double operator()(const Eigen::Vector3d& p) const
   {
-    Eigen::Vector3d product; // by hand: all programs would compile the expressions of Eigen's
-    for(int i = 0; i < 3; ++i)
-      product[i] = a(i, 0) * p.x() + (a(i, 1) * p.y() + a(i, 2) * p.z());
+    const Eigen::Vector3d product = a * p;
     return p.dot(product) + 2 * b.dot(p) + c;
   }
 };
