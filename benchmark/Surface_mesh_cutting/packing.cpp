@@ -1,6 +1,6 @@
 // How much of the unit square charts fill, packed in three ways, as CSV:
 //   packing [--margin TEXELS] [--texture-size N] RESULT.obj...
-// Each file has triangles with texture coordinates, such as those that the program unwrap writes. The ways: bounding
+// Each file has polygons with texture coordinates, such as those that the program unwrap writes. The ways: bounding
 // boxes on shelves; outlines in a bitmap with four rotations, the largest first, each as low as it can be; and
 // pack_charts(). All keep the same margin. `limit` is the fill at which the chart with the largest extent alone needs the
 // whole square. The last lines have the means, of the files with at least 2 and with at least 10 charts.

@@ -53,7 +53,10 @@ inline Layout read_layout(const std::string& name)
       const std::size_t first = layout.triangles.size();
       double area = 0;
       for(std::size_t k = 2; k < corners.size(); ++k)
-        area += triangle_area(layout.triangles.emplace_back(corners[0], corners[k - 1], corners[k]), layout.uv);
+      {
+        layout.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+        area += triangle_area(layout.triangles.back(), layout.uv);
+      }
       for(std::size_t t = first; t < layout.triangles.size() && area < 0; ++t)
         std::swap(layout.triangles[t][1], layout.triangles[t][2]);
     }
