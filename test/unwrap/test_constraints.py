@@ -38,8 +38,9 @@ class Constraints(Case):
         self.assertGreaterEqual(report["features"], 3)
 
     def test_initial_cut(self):
-        # The result of a run as the start of the next one: a tighter bound extends it, a looser one shortens it.
-        given, cut = self.cut("--max-distortion", "4.1")
+        # The result of a hasty run as the start of the next one: a tighter bound extends it, the same one and a looser one
+        # shorten it.
+        given, cut = self.cut("--max-distortion", "4.1", "--effort", "fast")
         start = self.write("start.txt", selection(edges=map(tuple, cut)))
         lengths = []
         for bound in (4.05, 4.1, 4.5):
@@ -47,8 +48,8 @@ class Constraints(Case):
             self.assertLessEqual(report["E_iso"], bound)
             lengths.append(report["cut_length"])
         self.assertGreater(lengths[0], given["cut_length"])
-        self.assertLess(lengths[1], 1.05 * given["cut_length"])
-        self.assertLess(lengths[2], given["cut_length"])
+        self.assertLess(lengths[1], given["cut_length"])
+        self.assertLess(lengths[2], lengths[1])
         # Without a bound, what it is shortened by does not cost much.
         for effort in ("fast", "default"):
             report, _ = self.cut("--initial-cut", start, "--effort", effort)
