@@ -18,6 +18,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -29,6 +31,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Go_further;
 using Surface_mesh_parameterization::internal::Simplicial_unordered_solver;
 
 // Grows charts in a square, or rather narrows the square, until they are jammed: no motion of all charts together makes
