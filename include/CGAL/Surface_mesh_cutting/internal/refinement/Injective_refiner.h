@@ -59,14 +59,19 @@ public:
   // Until the energy is at most `goal`; false if no slit is found that helps, or if it takes too long.
   bool lower_to(double goal, Injective_cut& cut)
   {
-    constexpr double enough_solved_faces = 2e6; // one for each triangle in each factorization: some ten seconds
     while(cut.map.energy > goal)
-      if(m_number_of_solved_faces > enough_solved_faces || !m_context.control.go_further() || !open_best(goal, cut))
+      if(!has_time() || !open_best(goal, cut))
         return false;
     return true;
   }
 
 private:
+  bool has_time() const
+  {
+    constexpr double enough_solved_faces = 2e6; // one for each triangle in each factorization: some ten seconds
+    return m_number_of_solved_faces <= enough_solved_faces && m_context.control.go_further();
+  }
+
   struct Trial
   {
     Slit slit; // what lies below the goal is no gain
@@ -123,6 +128,8 @@ private:
     std::vector<Trial> trials;
     for(Slit& slit : proposals(cut))
     {
+      if(!has_time())
+        break;
       std::vector<int> ends = cut.ends;
       ends.push_back(slit.tip);
       Injective_cut trial = opened(cut, slit.edges, std::move(ends));

@@ -25,6 +25,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -48,13 +49,17 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
                             const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                             const Scaffold_options& options, std::vector<Eigen::Vector2d>& uv)
 {
-  // In coarse stages, parts of the chart still travel far; these stages are cheap.
-  constexpr int largest_coarse_stage = 1000;
+  // In coarse stages, parts of the chart still travel far, which they hardly can where triangles are small; these stages
+  // are cheap, and those of large charts are solved as tightly as the chart.
+  constexpr int largest_coarse_stage = 1000, coarse_fraction = 100, tight_fraction = 32;
+  const int largest_moving_stage = (std::max)(largest_coarse_stage, chart.number_of_vertices() / coarse_fraction);
+  const int largest_tight_stage = chart.number_of_vertices() / tight_fraction;
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
   {
     Scaffold_options stage_options = options;
-    stage_options.decrease = 1e-2; // the next stage goes on
-    stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_coarse_stage;
+    if(stage.chart.number_of_vertices() > largest_tight_stage)
+      stage_options.decrease = 1e-2; // the next stage goes on
+    stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_moving_stage;
     return Scaffold_minimization(stage.chart, stage.shapes, linear_solvers, stage_options)(stage_uv).outcome;
   };
   constexpr bool keeps_region = true;
