@@ -42,11 +42,8 @@ public:
     : m_mesh(problem.mesh), m_constraints(problem.constraints), m_parameters(context.parameters),
       m_control(context.control), m_disks(problem.mesh), m_paths(problem.mesh.graph()),
       m_maps(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control),
-      m_is_on_cut(problem.mesh.number_of_vertices(), 0), m_is_terminal(problem.mesh.number_of_vertices(), 0)
-  {
-    for(int v : problem.terminals)
-      m_is_terminal[v] = 1;
-  }
+      m_is_on_cut(problem.mesh.number_of_vertices(), 0), m_is_terminal(problem.terminal_marks())
+  {}
 
   // For a closed surface of genus 0. False if no flip-free map was found or the run was stopped.
   bool run(const std::vector<Candidate>& candidates)

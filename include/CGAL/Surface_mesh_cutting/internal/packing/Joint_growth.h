@@ -55,10 +55,7 @@ public:
     for(double factor = first; factor > finest && scale < limit && m_go_further();)
     {
       const double next = (std::min)(scale * factor, limit);
-      const double narrowing = room_at(next).side / room_at(scale).side;
-      std::vector<Rigid_motion> attempt;
-      for(const Rigid_motion& motion : motions)
-        attempt.emplace_back(motion.angle(), narrowing * motion.translation());
+      std::vector<Rigid_motion> attempt = narrowed(motions, room_at(next).side / room_at(scale).side);
       m_finder.set_room(room_at(next));
       if(settle(attempt))
       {

@@ -67,7 +67,7 @@ private:
     {
       const double former = lookups();
       const double scale = (std::min)(m_scale * factor, m_limit);
-      std::vector<Rigid_motion> motions = motions_at(scale);
+      std::vector<Rigid_motion> motions = narrowed(m_motions, room_at(scale).side / room_at(m_scale).side);
       if(is_stuck)
         swap_two(motions);
       is_stuck = false;
@@ -123,16 +123,6 @@ private:
     std::vector<Chart_motion> motions;
     for(const Rigid_motion& motion : m_motions)
       motions.push_back({motion.angle(), corner(m_scale) + m_scale * motion.translation()});
-    return motions;
-  }
-
-  // Where the centers of charts stay as the square narrows.
-  std::vector<Rigid_motion> motions_at(double scale) const
-  {
-    const double narrowing = room_at(scale).side / room_at(m_scale).side;
-    std::vector<Rigid_motion> motions;
-    for(const Rigid_motion& motion : m_motions)
-      motions.emplace_back(motion.angle(), narrowing * motion.translation());
     return motions;
   }
 

@@ -61,6 +61,16 @@ private:
   Eigen::Vector2d m_translation;
 };
 
+// The same angles, with translations scaled by a factor: about where charts are when the square shrinks.
+inline std::vector<Rigid_motion> narrowed(const std::vector<Rigid_motion>& motions, double factor)
+{
+  std::vector<Rigid_motion> result;
+  result.reserve(motions.size());
+  for(const Rigid_motion& motion : motions)
+    result.emplace_back(motion.angle(), factor * motion.translation());
+  return result;
+}
+
 // Samples that follow each other, in a circle.
 struct Sample_block
 {

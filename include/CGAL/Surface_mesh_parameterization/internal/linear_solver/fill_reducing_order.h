@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/reordered.h>
 
 #include <Eigen/OrderingMethods>
 
@@ -34,7 +35,7 @@ namespace internal {
 // the transposed to it.
 inline std::vector<int> minimum_degree_order(const Sparse_matrix& lower)
 {
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+  Permutation permutation;
   Eigen::AMDOrdering<int> order;
   order(lower.selfadjointView<Eigen::Lower>(), permutation);
   return std::vector<int>(permutation.indices().data(),
