@@ -16,6 +16,8 @@ sys.path.insert(0, str(ROOT / "benchmark" / "Surface_mesh_cutting" / "Robustness
 import run_corpus  # noqa: E402
 from outcomes import read_records  # noqa: E402
 
+PUBLISHED = ["--allow-overlap", "--uv-scale", "surface"]  # what the method's authors make: charts that may overlap
+
 
 class Missing(Exception):
     """Something that does not come with the project and was not given, such as a folder of meshes."""

@@ -7,10 +7,11 @@ import shutil
 import statistics
 import subprocess
 
-from bench import Measured, cut_seconds, total_seconds
+from bench import PUBLISHED, Measured, cut_seconds, total_seconds
 from phases import exponent
 
 SIZES = [2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000]
+FAST = ["--effort", "fast", *PUBLISHED]
 FITTED = 10000  # and more triangles: from there, points are found on a coarser version
 
 
@@ -30,7 +31,7 @@ def fitted_exponent(triangles, seconds):
 
 
 def measure_sizes(bench):
-    records = bench.records(shapes(bench), "--effort", "fast", "--allow-overlap", "--uv-scale", "surface")
+    records = bench.records(shapes(bench), *FAST)
     reports = [record["report"] for record in records]
     rows = [(report["faces"], cut_seconds(report), total_seconds(report), record["peak_memory_mb"])
             for report, record in zip(reports, records)]
@@ -59,8 +60,8 @@ def draw(bench, rows):
 def measure_factorization(bench):
     """A whole run against one numeric factorization of its last system."""
     mesh, unwrapped, report = shapes(bench)[-1], bench.folder / "unwrapped.obj", bench.folder / "report.json"
-    subprocess.run([bench.program("unwrap"), mesh, "-o", unwrapped, "--json", report, "--quiet", "--threads", "1", "--effort",
-                    "fast", "--allow-overlap", "--uv-scale", "surface"], check=True)
+    subprocess.run([bench.program("unwrap"), mesh, "-o", unwrapped, "--json", report, "--quiet", "--threads", "1", *FAST],
+                   check=True)
     rows, _ = bench.rows([bench.program("assembly"), unwrapped])
     unwrapped.unlink()
     seconds = {row["solver"]: float(row["factorization_ms"]) / 1000 for row in rows}
@@ -76,10 +77,8 @@ def measure_solvers(bench):
     values = {}
     for name, mesh in ("small", small), ("large", large):
         seconds = {solver: statistics.median(
-            total_seconds(bench.reports([mesh], "--effort", "fast", "--allow-overlap", "--uv-scale", "surface",
-                                        "--solver", solver, repetition=i)[0]) for i in range(3))
+            total_seconds(bench.reports([mesh], *FAST, "--solver", solver, repetition=i)[0]) for i in range(3))
             for solver in ("eigen", "cholmod")}
-        values |= {f"{name}_triangles": bench.reports([mesh], "--effort", "fast", "--allow-overlap", "--uv-scale", "surface",
-                                                      "--solver", "eigen")[0]["faces"],
+        values |= {f"{name}_triangles": bench.reports([mesh], *FAST, "--solver", "eigen")[0]["faces"],
                    f"{name}_ratio": seconds["cholmod"] / seconds["eigen"]}
     return Measured(values)
