@@ -56,6 +56,15 @@ class Constraints(Case):
             self.assertLess(report["E_iso"], given["E_iso"] + 0.15)
             self.assertLess(report["cut_length"], 1.05 * given["cut_length"])
 
+    def test_good_initial_cut_stays(self):
+        # The result of a search that takes three starts, for one that takes one; a tree through its ends is longer.
+        given, cut = self.cut("--max-distortion", "4.1")
+        start = self.write("start.txt", selection(edges=map(tuple, cut)))
+        for effort in ("fast", "default"):
+            report, _ = self.cut("--initial-cut", start, "--max-distortion", "4.1", "--effort", effort)
+            self.assertLessEqual(report["E_iso"], 4.1)
+            self.assertLess(report["cut_length"], given["cut_length"] + 1e-9)
+
     def test_initial_cut_is_no_constraint(self):
         # A loop that separates the surface is opened, and what must not be cut is not.
         loop = self.write("loop.txt", selection(edges=STAR))

@@ -66,6 +66,9 @@ public:
     return m_cut.tree().status;
   }
 
+  // Takes a cut to a disk instead, with what lies on it, and maps it. False as for map().
+  bool start(std::vector<int> ends, const Cut& cut) { return m_cut.start(std::move(ends), cut); }
+
   // Maps the surface opened along the connected cut; call after connect(). False if no flip-free map was
   // found or the run was stopped.
   bool map() { return m_cut.map_tree(infinity); }

@@ -130,14 +130,20 @@ public:
     record();
   }
 
+  // Takes a cut that need not be a tree, and maps it. False as for map_tree().
+  bool start(std::vector<int> ends, const Cut& cut)
+  {
+    m_features = std::move(ends);
+    m_is_connected = false;
+    m_cost = cut_cost(m_problem.constraints, cut);
+    return map(cut, infinity, m_map.policy().precision);
+  }
+
   // Takes a cut and its map without overlaps, which counts from here on. False as for map_tree().
   bool start_injectively(const Injective_cut& cut)
   {
     m_is_injective = true;
-    m_features = cut.ends;
-    m_is_connected = false;
-    m_cost = cut_cost(m_problem.constraints, cut.cut);
-    if(!map(cut.cut, infinity, m_map.policy().precision))
+    if(!start(cut.ends, cut.cut))
       return false;
     m_injective = cut.map;
     for(int c = 0; c < 3 * m_problem.mesh.number_of_faces(); ++c) // the chart may be numbered otherwise

@@ -89,6 +89,8 @@ public:
         runs.back().random_seed = seeds[runs.size() - 1];
       }
     }
+    if(m_problem.initial.is_given())
+      add_given_cut(results);
     if(results.empty())
     {
       failed.status = failure(m_context.control);
@@ -98,6 +100,25 @@ public:
   }
 
 private:
+  // A tree through the ends of a given cut and through further features may be worse than that cut.
+  void add_given_cut(std::vector<Component_result>& results) const
+  {
+    Cutting_parameters parameters = m_context.parameters;
+    parameters.adapt_to_size(m_problem.mesh.number_of_faces());
+    const Start_run<ConcurrencyTag> run(m_problem, Context{parameters, m_context.control, m_context.clock});
+    for(bool is_shortened : {false, true})
+    {
+      if(!m_context.control.go_further())
+        return;
+      Component_result result = run.from_given_cut(is_shortened);
+      if(!result.has_cut || !result.has_map)
+        continue;
+      if(!results.empty())
+        result.number_of_candidates = results.front().number_of_candidates;
+      results.push_back(std::move(result));
+    }
+  }
+
   // On coarse surfaces, where starts differ most, another one may reach the bound, and takes little time.
   bool goes_on_after(const std::vector<Component_result>& results) const
   {

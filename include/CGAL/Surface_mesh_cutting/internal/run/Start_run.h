@@ -76,6 +76,30 @@ public:
     return result;
   }
 
+  // The given cut, completed and then shortened on request; features play no part.
+  Component_result from_given_cut(bool is_shortened) const
+  {
+    Component_result result;
+    const Connected_cut given = m_problem.initial.template connected<ConcurrencyTag>(m_problem.mesh, m_problem.constraints,
+                                                                                     m_problem.terminals, m_control);
+    result.status = given.status;
+    if(!result.status)
+      return result;
+    std::vector<int> ends = ends_and_forks(m_problem.mesh, given.cut);
+    ends.insert(ends.end(), m_problem.terminals.begin(), m_problem.terminals.end());
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    Refiner refiner(m_problem, m_context);
+    if(!refiner.start(std::move(ends), given.cut))
+      result.status = failure(m_control);
+    else if(is_shortened)
+      refine_and_parameterize(refiner, refiner.cut().energy() + m_parameters.minimum_distortion_decrease,
+                              number_of_solves(), result);
+    else
+      parameterize(refiner, result);
+    return result;
+  }
+
 private:
   // What was found when the run was stopped. Its map may overlap.
   void take_found(Detected_features detected, Component_result& result) const
@@ -147,7 +171,18 @@ private:
       lower_without_overlaps(refiner, repair_threshold, result);
       result.cost_of_room = result.cost - cost_with_overlaps;
     }
-    if(result.status && result.energy > bound)
+    say_if_missed(result);
+  }
+
+  void parameterize(const Refiner& refiner, Component_result& result) const
+  {
+    m_parameterizer(refiner.cut(), result);
+    say_if_missed(result);
+  }
+
+  void say_if_missed(Component_result& result) const
+  {
+    if(result.status && result.energy > m_parameters.maximum_average_distortion)
       result.status = bound_missed();
   }
 
