@@ -59,7 +59,7 @@ inline Newton_result final_map(const Problem& problem, const Open_chart& running
     return converged;
   return Surface_mesh_parameterization::internal::make_bijective(
     running.chart, chart_points(problem.mesh, running.chart), problem.shapes, *context.parameters.linear_solvers, uv,
-    converged, final_options(context), running.chart_ranks());
+    converged, final_options(context));
 }
 
 } // namespace internal

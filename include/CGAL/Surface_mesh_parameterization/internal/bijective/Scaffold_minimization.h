@@ -39,9 +39,6 @@ struct Scaffold_options
   // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
   // travel farther than to the next vertex of the scaffold, at twice the cost.
   bool moves_scaffold = false;
-  // Of the chart's vertices, see `Newton_system`: an order of elimination that suits the chart without its scaffold
-  // suits both, as long as the scaffold stays where it is. Empty if none is known.
-  std::vector<int> ranks;
   Go_further go_further = always_go_further;
 };
 
@@ -56,7 +53,7 @@ public:
   Scaffold_minimization(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
                         const Linear_solver_source& linear_solvers, const Scaffold_options& options)
     : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
-      m_options(options), m_ranks(options.ranks)
+      m_options(options)
   {}
 
   // `uv` holds an injective map and receives a better one, or stays as it is. In exact arithmetic it
@@ -150,7 +147,9 @@ private:
   const std::vector<double> m_weights;
   const Linear_solver_source& m_linear_solvers;
   const Scaffold_options& m_options;
-  std::vector<int> m_ranks; // of the vertices that the latest round could move
+  // Of the vertices that the latest round could move: an order of elimination, which suits the next round, too. That of
+  // the chart without its scaffold would not: it knows nothing of what joins the two sides of a gap.
+  std::vector<int> m_ranks;
   Scaffold m_scaffold;
 };
 

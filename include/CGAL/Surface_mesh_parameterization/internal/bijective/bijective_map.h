@@ -25,7 +25,6 @@
 
 #include <Eigen/Core>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,7 +76,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
 inline Newton_result make_bijective(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                     const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                                     std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
-                                    const Newton_options& options, std::vector<int> ranks = {})
+                                    const Newton_options& options)
 {
   if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
     return isometric;
@@ -86,7 +85,6 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
   if(isometric.outcome == Newton_outcome::STOPPED ||
      !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
     return Newton_result();
-  scaffold_options.ranks = std::move(ranks);
   const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
   return is_bijective(chart, uv) ? result : Newton_result();
 }
