@@ -36,6 +36,10 @@ struct Scaffold_options
   // Ends when a round gains less than this fraction of the energy, or when the next one would.
   double decrease = 1e-3;
   int maximum_rounds = 30;
+  // Known to be no larger than that of any injective map: nothing is done where the decrease cannot be reached.
+  double least_energy = 0;
+  // A factorization that gains less than this fraction of the energy is the last one of its round.
+  double least_decrease = 0;
   // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
   // travel farther than to the next vertex of the scaffold, at twice the cost.
   bool moves_scaffold = false;
@@ -62,6 +66,11 @@ public:
   {
     Newton_result result;
     result.energy = energy(uv);
+    if(result.energy - m_options.least_energy < m_options.decrease * result.energy)
+    {
+      result.outcome = Newton_outcome::CONVERGED;
+      return result;
+    }
     result.outcome = Newton_outcome::ITERATION_LIMIT;
     for(int round = 0; round < m_options.maximum_rounds; ++round)
     {
@@ -132,6 +141,7 @@ private:
     Newton_options options;
     options.maximum_iterations = factorizations;
     options.decrement = precision * m_options.decrease;
+    options.least_decrease = m_options.least_decrease;
     options.go_further = m_options.go_further;
     const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
