@@ -36,10 +36,10 @@ struct Scaffold_options
   // Ends when a round gains less than this fraction of the energy, or when the next one would.
   double decrease = 1e-3;
   int maximum_rounds = 30;
-  // Known to be no larger than that of any injective map: nothing is done where the decrease cannot be reached.
-  double least_energy = 0;
-  // A factorization that gains less than this fraction of the energy is the last one of its round.
+  // What a factorization has to gain, as a fraction of the energy: the first one that gains less is the last of its round.
   double least_decrease = 0;
+  // Known to be no larger than that of any injective map: nothing is done where there is less to gain than that.
+  double least_energy = 0;
   // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
   // travel farther than to the next vertex of the scaffold, at twice the cost.
   bool moves_scaffold = false;
@@ -66,7 +66,7 @@ public:
   {
     Newton_result result;
     result.energy = energy(uv);
-    if(result.energy - m_options.least_energy < m_options.decrease * result.energy)
+    if(result.energy - m_options.least_energy < m_options.least_decrease * result.energy)
     {
       result.outcome = Newton_outcome::CONVERGED;
       return result;
