@@ -113,7 +113,7 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
   if(isometric.outcome == Newton_outcome::STOPPED ||
      !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
     return Newton_result();
-  scaffold_options.least_decrease = 5e-4; // the start is near the optimum, and factorizations are what takes long
+  scaffold_options.least_decrease = options.least_decrease;
   scaffold_options.least_energy = isometric.energy;
   const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
   return is_bijective(chart, uv) ? result : Newton_result();
