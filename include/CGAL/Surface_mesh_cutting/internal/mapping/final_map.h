@@ -57,11 +57,10 @@ inline Newton_result final_map(const Problem& problem, const Open_chart& running
   const Newton_result converged = converged_map(problem, running, context, uv);
   if(!context.parameters.do_bijective)
     return converged;
-  // Where slits for room have to be worth their cost, factorizations have to, too: they are what takes long, and the first
-  // ones lead near the optimum.
+  // Factorizations at full resolution are what takes long, and the first one leads near the optimum.
   constexpr double least_decrease = 5e-4;
   Newton_options options = final_options(context);
-  if(context.parameters.weighs_slits_for_room)
+  if(context.parameters.ends_early_in_room)
     options.least_decrease = least_decrease;
   return Surface_mesh_parameterization::internal::make_bijective(
     running.chart, chart_points(problem.mesh, running.chart), problem.shapes, *context.parameters.linear_solvers, uv,

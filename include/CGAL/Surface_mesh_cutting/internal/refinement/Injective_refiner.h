@@ -121,15 +121,8 @@ private:
   {
     constexpr double least_gain = 2e-4; // less is within the precision of the trials
     std::vector<Trial> trials;
-    const double least_gain_per_cost
-      = m_context.parameters.weighs_slits_for_room ? m_context.parameters.decrease_per_cost : 0;
     for(Slit& slit : proposals(cut))
     {
-      if(cut.map.energy - goal < least_gain_per_cost * slit.cost)
-      {
-        m_is_excluded[slit.tip] = 1; // it is not worth its cost, whatever it gains
-        continue;
-      }
       std::vector<int> ends = cut.ends;
       ends.push_back(slit.tip);
       Injective_cut trial = opened(cut, slit.edges, std::move(ends));
