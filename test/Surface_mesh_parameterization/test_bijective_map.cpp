@@ -9,6 +9,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <iostream>
@@ -169,6 +170,57 @@ void check_from_tutte(const Test_surface& surface)
   assert(result.outcome == Newton_outcome::STOPPED && uv == start);
 }
 
+// Stars are improved inside of the border alone. A map that is near what is known to be the least energy stays.
+void check_improvement(const Test_surface& surface)
+{
+  const Corner_table& chart = surface.chart;
+  const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
+  std::vector<Vector2d> start;
+  const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, start);
+  assert(is_mapped);
+  std::vector<Vector2d> uv = start;
+  improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv);
+  assert(!has_flip(chart.triangles(), uv));
+  assert(energy(chart, shapes, uv) < energy(chart, shapes, start));
+  for(int h : border_halfedges(chart))
+    assert(uv[chart.source(h)] == start[chart.source(h)]);
+
+  Scaffold_options options;
+  options.least_decrease = 0.01;
+  options.least_energy = 0.995 * energy(chart, shapes, uv);
+  const std::vector<Vector2d> former = uv;
+  const Newton_result near = Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
+  assert(near.outcome == Newton_outcome::CONVERGED && uv == former);
+  options.least_energy = 0.985 * energy(chart, shapes, uv);
+  Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
+  assert(energy(chart, shapes, uv) < energy(chart, shapes, former));
+}
+
+// The coarsest stage is small, and grows to the whole chart in steps of the same factor.
+void check_coarsest_size()
+{
+  for(int n : {4, 499, 500, 501, 2000, 2001, 18107})
+  {
+    int size = coarsest_size(n), stages = 0;
+    assert(size <= 500 && (n <= 500 ? size == n : size > 100));
+    for(; size < n; size *= growth_of_stages)
+      ++stages;
+    assert(size < n + 2 * (1 << (2 * stages)));
+  }
+}
+
+// The first half of what goes is not near the border, with which the image of a stage would shrink.
+void check_border_stays(const Test_surface& surface)
+{
+  const Corner_table& chart = surface.chart;
+  Chart_hierarchy hierarchy(chart, surface.points, true);
+  hierarchy.coarsen(chart.number_of_vertices() / 2);
+  const std::vector<int> left = hierarchy.stage().vertices;
+  assert(left.size() <= std::size_t(chart.number_of_vertices() / 2));
+  for(int h : border_halfedges(chart))
+    assert(std::find(left.begin(), left.end(), chart.source(h)) != left.end());
+}
+
 // Refinement alone, without any optimization: the image of a stage lies inside the former one.
 void check_refinement(const Test_surface& surface)
 {
@@ -281,12 +333,15 @@ int main()
   CGAL::Random random(7);
   std::cout << "seed " << random.get_seed() << std::endl;
   test_no_scaffold();
+  check_coarsest_size();
+  check_border_stays(make_hills(40, 40, random));
   for(int i = 0; i < 4; ++i)
   {
     const Test_surface hills = make_hills(8 + 6 * i, 20, random, i % 2 == 1);
     check_map(hills);
     check_refinement(hills);
     check_from_tutte(hills);
+    check_improvement(hills);
     for(int j = 0; j < 10; ++j)
       check_opening(make_hills(8 + 6 * i, 20, random), random);
   }

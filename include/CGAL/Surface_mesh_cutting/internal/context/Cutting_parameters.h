@@ -58,6 +58,7 @@ struct Cutting_parameters
   bool runs_all_efforts = false;       // also the smaller ones; the best result is returned
   bool moves_ends = false;             // where features are found, of a cut at a bound
   bool opens_slits_first = false;      // where a map without overlaps misses a bound, before the running map goes below
+  bool ends_early_in_room = false;     // whether maps without overlaps take no factorization that gains little
   std::optional<int> given_coarse_number_of_faces; // by the caller
   int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
   // A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few

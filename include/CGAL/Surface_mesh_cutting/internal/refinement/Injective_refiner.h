@@ -52,7 +52,7 @@ public:
   // to the problem and to what the context holds are kept.
   Injective_refiner(const Problem& problem, const Context& context, const Open_chart& overlapping)
     : m_problem(problem), m_context(context), m_slits(problem.mesh, problem.constraints),
-      m_reference(vertex_distortion(problem.mesh, problem.shapes, overlapping.chart, overlapping.uv)), m_ranks(overlapping.ranks),
+      m_reference(vertex_distortion(problem.mesh, problem.shapes, overlapping.chart, overlapping.uv)),
       m_is_excluded(problem.mesh.number_of_vertices(), 0)
   {}
 
@@ -204,9 +204,6 @@ private:
     Scaffold_options options;
     options.decrease = 4e-4; // the slit is narrow at first, and what it gains comes late
     options.maximum_rounds = 6;
-    if(!m_ranks.empty())
-      for(int origin : result.chart.origins())
-        options.ranks.push_back(m_ranks[origin]);
     options.go_further = m_context.control;
     const Newton_result newton = Scaffold_minimization(result.chart, m_problem.shapes,
                                                        *m_context.parameters.linear_solvers, options)(result.map.uv);
@@ -219,7 +216,6 @@ private:
   const Context m_context;
   Slit_search m_slits;
   const std::vector<double> m_reference; // per vertex of the surface
-  const std::vector<int> m_ranks;        // per vertex of the surface, see `Open_chart`
   std::vector<char> m_is_excluded;       // per vertex of the surface
   double m_number_of_solved_faces = 0;
 };

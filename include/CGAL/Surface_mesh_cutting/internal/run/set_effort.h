@@ -33,6 +33,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
   p.number_of_corrective_solves = has_bound ? 8 : 0;
   p.moves_ends = false;
   p.opens_slits_first = has_bound && effort != Effort::FAST;
+  p.ends_early_in_room = !has_bound && effort == Effort::FAST;
   p.runs_all_efforts = effort == Effort::BEST;
   switch(effort)
   {

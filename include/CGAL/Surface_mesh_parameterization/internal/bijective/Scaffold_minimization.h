@@ -36,12 +36,13 @@ struct Scaffold_options
   // Ends when a round gains less than this fraction of the energy, or when the next one would.
   double decrease = 1e-3;
   int maximum_rounds = 30;
+  // What a factorization has to gain, as a fraction of the energy: the first one that gains less is the last of its round.
+  double least_decrease = 0;
+  // Known to be no larger than that of any injective map: nothing is done where there is less to gain than that.
+  double least_energy = 0;
   // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
   // travel farther than to the next vertex of the scaffold, at twice the cost.
   bool moves_scaffold = false;
-  // Of the chart's vertices, see `Newton_system`: an order of elimination that suits the chart without its scaffold
-  // suits both, as long as the scaffold stays where it is. Empty if none is known.
-  std::vector<int> ranks;
   Go_further go_further = always_go_further;
 };
 
@@ -56,7 +57,7 @@ public:
   Scaffold_minimization(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
                         const Linear_solver_source& linear_solvers, const Scaffold_options& options)
     : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
-      m_options(options), m_ranks(options.ranks)
+      m_options(options)
   {}
 
   // `uv` holds an injective map and receives a better one, or stays as it is. In exact arithmetic it
@@ -65,6 +66,11 @@ public:
   {
     Newton_result result;
     result.energy = energy(uv);
+    if(result.energy - m_options.least_energy < m_options.least_decrease * result.energy)
+    {
+      result.outcome = Newton_outcome::CONVERGED;
+      return result;
+    }
     result.outcome = Newton_outcome::ITERATION_LIMIT;
     for(int round = 0; round < m_options.maximum_rounds; ++round)
     {
@@ -135,6 +141,7 @@ private:
     Newton_options options;
     options.maximum_iterations = factorizations;
     options.decrement = precision * m_options.decrease;
+    options.least_decrease = m_options.least_decrease;
     options.go_further = m_options.go_further;
     const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
@@ -150,7 +157,9 @@ private:
   const std::vector<double> m_weights;
   const Linear_solver_source& m_linear_solvers;
   const Scaffold_options& m_options;
-  std::vector<int> m_ranks; // of the vertices that the latest round could move
+  // Of the vertices that the latest round could move: an order of elimination, which suits the next round, too. That of
+  // the chart without its scaffold would not: it knows nothing of what joins the two sides of a gap.
+  std::vector<int> m_ranks;
   Scaffold m_scaffold;
 };
 

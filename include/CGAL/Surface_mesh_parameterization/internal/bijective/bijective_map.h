@@ -20,13 +20,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/improve_stars.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,12 +42,21 @@ inline bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vec
   return overlaps.crossings().empty() && overlaps.containments().empty();
 }
 
-// An injective map near the optimum: Tutte's embedding of the coarsest stage of the hierarchy is
-// injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
-// Should that fail, Tutte's embedding of the whole chart is optimized. False if rounding spoils both, or if stopped.
-inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                            const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
-                            const Scaffold_options& options, std::vector<Eigen::Vector2d>& uv)
+// The number of vertices of the coarsest stage, from which growth by a constant factor ends at the whole chart: a stage
+// of almost as many vertices as that would cost as much, for nothing.
+inline int coarsest_size(int number_of_vertices)
+{
+  constexpr int largest = 500;
+  while(number_of_vertices > largest)
+    number_of_vertices = (number_of_vertices + growth_of_stages - 1) / growth_of_stages;
+  return number_of_vertices;
+}
+
+// An injective map near the optimum of a surface, whose shape `points` are: Tutte's embedding of the coarsest stage of the
+// hierarchy is injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
+inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
+                                       const Linear_solver_source& linear_solvers, const Scaffold_options& options,
+                                       std::vector<Eigen::Vector2d>& uv)
 {
   // In coarse stages, parts of the chart still travel far, which they hardly can where triangles are small; these stages
   // are cheap, and those of large charts are solved as tightly as the chart.
@@ -64,8 +73,26 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
   };
   constexpr bool keeps_region = true;
   const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map); };
-  const Stages_outcome outcome
-    = map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, linear_solvers, optimize, is_valid, uv);
+  return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, coarsest_size(chart.number_of_vertices()),
+                                                   linear_solvers, optimize, is_valid, uv);
+}
+
+// An injective map near the optimum, from the isometric one, which overlaps itself. The latter as a flat surface has all
+// its distortion in its shape already: what it takes to bend its parts apart is smooth, so that coarse stages find it.
+// Should that fail, stages of the surface itself are mapped, or Tutte's embedding of the whole chart is optimized. False
+// if rounding spoils all, or if stopped.
+inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
+                            const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                            const Scaffold_options& options, std::vector<Eigen::Vector2d>& uv)
+{
+  std::vector<Eigen::Vector3d> flat;
+  for(const Eigen::Vector2d& p : uv)
+    flat.emplace_back(p.x(), p.y(), 0);
+  Stages_outcome outcome = bijective_stages(chart, flat, linear_solvers, options, uv);
+  if(outcome == Stages_outcome::MAPPED)
+    improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv);
+  else if(outcome == Stages_outcome::FAILED)
+    outcome = bijective_stages(chart, points, linear_solvers, options, uv);
   if(outcome != Stages_outcome::FAILED)
     return outcome == Stages_outcome::MAPPED;
   if(!tutte_map(chart, points, surface_area(shapes), linear_solvers, uv))
@@ -82,7 +109,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
 inline Newton_result make_bijective(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                     const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                                     std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
-                                    const Newton_options& options, std::vector<int> ranks = {})
+                                    const Newton_options& options)
 {
   if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
     return isometric;
@@ -91,7 +118,8 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
   if(isometric.outcome == Newton_outcome::STOPPED ||
      !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
     return Newton_result();
-  scaffold_options.ranks = std::move(ranks);
+  scaffold_options.least_decrease = options.least_decrease;
+  scaffold_options.least_energy = isometric.energy;
   const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
   return is_bijective(chart, uv) ? result : Newton_result();
 }

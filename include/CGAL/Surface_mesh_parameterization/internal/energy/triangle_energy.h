@@ -113,7 +113,8 @@ inline Eigen::Vector2d conjugate_product(const Eigen::Vector2d& a, const Eigen::
 
 } // namespace complex
 
-template <typename Energy>
+// Those of the first `corners` corners; the mixed blocks come with all of them.
+template <typename Energy, int corners = 3>
 void triangle_terms(const Rest_shape& shape, const Eigen::Vector2d& u0, const Eigen::Vector2d& u1,
                     const Eigen::Vector2d& u2, Triangle_terms& terms)
 {
@@ -128,7 +129,7 @@ void triangle_terms(const Rest_shape& shape, const Eigen::Vector2d& u0, const Ei
   // f_z = sum of conj(d_i) u_i, f_z̄ = sum of d_i u_i with d_i = g_i / 2.
   const Eigen::Vector2d d[3] = {0.5 * shape.g0, 0.5 * shape.g1, 0.5 * shape.g2};
   Eigen::Vector2d p[3], q[3]; // the transposed maps applied to the unit vectors z and c
-  for(int i = 0; i < 3; ++i)
+  for(int i = 0; i < corners; ++i)
   {
     p[i] = complex::product(d[i], z);
     q[i] = complex::conjugate_product(d[i], c);
@@ -136,7 +137,7 @@ void triangle_terms(const Rest_shape& shape, const Eigen::Vector2d& u0, const Ei
 
   terms.value = e.value;
   const double slope_z = 2 * e.x * std::sqrt(x), slope_c = 2 * e.y * std::sqrt(y);
-  for(int i = 0; i < 3; ++i)
+  for(int i = 0; i < corners; ++i)
     terms.gradient[i] = slope_z * p[i] + slope_c * q[i];
 
   const double along_z = h.zz - h.across_z, along_c = h.cc - h.across_conjugate;
@@ -153,11 +154,11 @@ void triangle_terms(const Rest_shape& shape, const Eigen::Vector2d& u0, const Ei
     b(1, 0) = -imaginary + p[i].y() * a.x() + q[i].y() * t.x();
     b(1, 1) = real + p[i].y() * a.y() + q[i].y() * t.y();
   };
-  for(int i = 0; i < 3; ++i)
-  {
+  for(int i = 0; i < corners; ++i)
     block(i, i, terms.diagonal[i]);
-    block(i, (i + 1) % 3, terms.mixed[i]);
-  }
+  if constexpr(corners == 3)
+    for(int i = 0; i < 3; ++i)
+      block(i, (i + 1) % 3, terms.mixed[i]);
 }
 
 // Energy and gradient alone, per unit of area.

@@ -44,7 +44,8 @@ class Chart_hierarchy
 {
 public:
   // `points`: the position of each chart vertex on the surface. With `keeps_region`, the image of
-  // each stage lies inside that of the coarser one, so that refining an injective map keeps it so.
+  // each stage lies inside that of the coarser one, so that refining an injective map keeps it so; what is near the
+  // border goes last, since a border in few pieces leaves little room for what comes between them.
   Chart_hierarchy(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                   bool keeps_region = false, Execution execution = Execution::SEQUENTIAL)
     : m_chart(chart), m_points(points), m_keeps_region(keeps_region), m_execution(execution),
@@ -64,9 +65,16 @@ public:
     std::vector<Quadric> quadrics = vertex_quadrics(m_chart, m_points, m_execution);
     std::vector<char> is_stale(m_points.size(), 0);
     Chart_simplification simplification(m_chart, m_points, m_keeps_region, quadrics, is_stale);
+    std::vector<char> may_go_first = may_go;
+    if(m_keeps_region)
+      keep_border(may_go_first);
+    const int first_size = (std::max)(size, int(least_share * m_number_of_vertices));
     if(coarsening == Coarsening::IN_REGIONS)
-      coarsen_regions(size, simplification, may_go);
-    simplification.reduce_by(m_number_of_vertices - size, marked(may_go), m_log, m_execution);
+      coarsen_regions(size, simplification, may_go_first);
+    if(m_keeps_region)
+      simplification.reduce_by(m_number_of_vertices - first_size, marked(may_go_first), m_log, m_execution);
+    exclude_collapsed(may_go);
+    simplification.reduce_by(m_number_of_vertices - m_log.size() - size, marked(may_go), m_log, m_execution);
     m_number_of_vertices -= m_log.size();
     return m_number_of_vertices;
   }
@@ -178,11 +186,7 @@ private:
     void improve(const std::vector<Rest_shape>& shapes)
     {
       constexpr int number_of_rounds = 2;
-      const auto shape_from = [&shapes](int h)
-      {
-        const Rest_shape& s = shapes[h / 3];
-        return h % 3 == 0 ? s : h % 3 == 1 ? Rest_shape{s.g1, s.g2, s.g0, s.area} : Rest_shape{s.g2, s.g0, s.g1, s.area};
-      };
+      const auto shape_from = [&shapes](int h) { return rotated(shapes[h / 3], h % 3); };
       for(int round = 0; round < number_of_rounds; ++round)
         for(int v : m_placed)
           if(!m_hierarchy->m_keeps_region || !m_hierarchy->m_chart.is_on_border(v))
@@ -214,10 +218,40 @@ private:
     return result;
   }
 
+  // Of what borders and their surroundings have no part in, at the start: so that errors decide about most stages.
+  static constexpr double least_share = 0.25;
+
+  // Takes the marks of what is at most a few edges from the border.
+  void keep_border(std::vector<char>& may_go) const
+  {
+    constexpr int number_of_rings = 3;
+    std::vector<char> is_near(may_go.size(), 0);
+    for(int v = 0; v < int(is_near.size()); ++v)
+      is_near[v] = m_chart.is_used(v) && m_chart.is_on_border(v);
+    for(int ring = 0; ring < number_of_rings; ++ring)
+    {
+      const std::vector<char> former = is_near;
+      for(const Triangle& t : m_chart.triangles())
+        if(former[t[0]] || former[t[1]] || former[t[2]])
+          for(int v : t)
+            is_near[v] = 1;
+    }
+    for(std::size_t v = 0; v < may_go.size(); ++v)
+      may_go[v] = may_go[v] && !is_near[v];
+  }
+
+  void exclude_collapsed(std::vector<char>& may_go) const
+  {
+    for(const Collapse_log& log : m_logs_of_regions)
+      for(const Collapse_log::Collapse& c : log.collapses)
+        may_go[c.vertex] = 0;
+    for(const Collapse_log::Collapse& c : m_log.collapses)
+      may_go[c.vertex] = 0;
+  }
+
   // Each region to the same share of its vertices; those that are gone may not go any more.
   void coarsen_regions(int size, const Chart_simplification& simplification, std::vector<char>& may_go)
   {
-    constexpr double least_share = 0.25; // so that errors decide about most stages
     const double share = (std::max)(least_share, double(size) / m_number_of_vertices);
     const Chart_regions regions(m_chart.triangles(), m_points, m_execution);
     m_logs_of_regions.resize(regions.size());

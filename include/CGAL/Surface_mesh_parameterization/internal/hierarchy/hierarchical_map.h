@@ -44,6 +44,8 @@ inline void extend(const std::vector<Eigen::Vector2d>& stage_uv, const std::vect
     uv[vertices[v]] = stage_uv[v];
 }
 
+constexpr int growth_of_stages = 4; // each has to be ordered and factorized
+
 enum class Stages_outcome { MAPPED, FAILED, STOPPED };
 
 // From Tutte's embedding of the stage of about `coarsest_size` vertices to the whole chart.
@@ -52,7 +54,6 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
                              const Linear_solver_source& linear_solvers, const Optimize& optimize,
                              std::vector<Eigen::Vector2d>& uv)
 {
-  constexpr int growth = 4; // each stage has to be ordered and factorized
   hierarchy.coarsen(coarsest_size, Coarsening::IN_REGIONS);
   for(bool is_first = true; is_first || !hierarchy.is_complete(); is_first = false)
   {
@@ -66,7 +67,7 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
     if(outcome == Newton_outcome::SINGULAR || outcome == Newton_outcome::FAILED)
       return Stages_outcome::FAILED;
     extend(stage_uv, stage.vertices, uv);
-    if(!hierarchy.refine_to<Energy>(growth * hierarchy.number_of_vertices(), uv))
+    if(!hierarchy.refine_to<Energy>(growth_of_stages * hierarchy.number_of_vertices(), uv))
       return Stages_outcome::FAILED;
   }
   return Stages_outcome::MAPPED;
@@ -80,10 +81,10 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
 // it ended.
 template <typename Energy, typename Optimize, typename IsValid>
 Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_region,
-                             const Linear_solver_source& linear_solvers, const Optimize& optimize,
+                             int usual_coarsest_size, const Linear_solver_source& linear_solvers, const Optimize& optimize,
                              const IsValid& is_valid, std::vector<Eigen::Vector2d>& uv)
 {
-  for(int coarsest_size : {250, 60, 15, 4})
+  for(int coarsest_size : {usual_coarsest_size, 60, 15, 4})
   {
     uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
     Chart_hierarchy hierarchy(chart, points, keeps_region, linear_solvers.execution());
@@ -111,7 +112,8 @@ Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eig
   };
   const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map)
   { return count_flips(chart.triangles(), map) == 0; };
-  return map_by_stages<Energy>(chart, points, false, linear_solvers, optimize, is_valid, uv);
+  constexpr int coarsest_size = 250;
+  return map_by_stages<Energy>(chart, points, false, coarsest_size, linear_solvers, optimize, is_valid, uv);
 }
 
 } // namespace internal

@@ -61,6 +61,12 @@ inline void clip_polygon(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   polygon.swap(buffer);
 }
 
+// The same shape, starting at another corner.
+inline Rest_shape rotated(const Rest_shape& s, int corner)
+{
+  return corner == 0 ? s : corner == 1 ? Rest_shape{s.g1, s.g2, s.g0, s.area} : Rest_shape{s.g2, s.g0, s.g1, s.area};
+}
+
 // Finds where the center of a star can be put so that all its triangles are positive, with as little
 // energy as possible: the centroid of the kernel, then Newton's method on the center alone. False if the
 // kernel has no interior in floating point.
@@ -89,7 +95,7 @@ public:
       Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
       for(const Star_triangle& t : star)
       {
-        triangle_terms<Energy>(t.shape, center, t.a, t.b, terms);
+        triangle_terms<Energy, 1>(t.shape, center, t.a, t.b, terms);
         gradient += t.shape.area * terms.gradient[0];
         for(int k = 0; k < 4; ++k)
           hessian(k) += t.shape.area * terms.diagonal[0](k);

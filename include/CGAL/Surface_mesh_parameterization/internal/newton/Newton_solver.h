@@ -52,6 +52,7 @@ struct Newton_options
 {
   int maximum_iterations = 200; // factorizations
   double decrement = 1e-6; // as a fraction of the energy
+  double least_decrease = 0; // by a factorization, as a fraction of the energy; the first one that gains less is the last
   Go_further go_further = always_go_further;
   // Whether what is known decides what the solve is for, so that the iteration may end.
   std::function<bool(const Newton_state&)> stop;
@@ -126,6 +127,7 @@ public:
         return result;
       }
       m_memory.clear();
+      const double energy_of_factorization = result.energy;
       for(int i = 0; i <= maximum_reuse(); ++i)
       {
         if(!options.go_further() ||
@@ -151,6 +153,11 @@ public:
         }
         if(decrease < least_share * result.decrement || !find_reused_direction<Energy>(shapes, weights, uv, t, result))
           break;
+      }
+      if(energy_of_factorization - result.energy < options.least_decrease * result.energy)
+      {
+        result.outcome = Newton_outcome::CONVERGED;
+        return result;
       }
       if(result.iterations >= options.maximum_iterations)
       {
