@@ -96,10 +96,37 @@ public:
       failed.status = failure(m_context.control);
       return failed;
     }
+    if(m_context.parameters.runs_all_efforts && has_bound(m_context.parameters) && !m_problem.is_opened)
+      go_on_from_best(results);
     return best_of(results);
   }
 
 private:
+  // As from a given cut, as long as that shortens it: on the chart of the best cut, other features show.
+  void go_on_from_best(std::vector<Component_result>& results) const
+  {
+    constexpr int maximum_number_of_rounds = 4;
+    Cutting_parameters parameters = with_effort(Effort::DEFAULT, m_context.parameters);
+    parameters.adapt_to_size(m_problem.mesh.number_of_faces());
+    for(int round = 0; round < maximum_number_of_rounds && m_context.control.go_further(); ++round)
+    {
+      const Component_result& best = *best_among(results);
+      if(!best.has_map)
+        return;
+      Problem problem = m_problem;
+      problem.constraints.mandatory = Cut(m_problem.mesh.number_of_edges(), 0); // other loops may follow that cut
+      problem.initial = Initial_cut(best.cut);
+      if(!open_handles<ConcurrencyTag>(problem, m_context))
+        return;
+      Component_result next = Start_run<ConcurrencyTag>(problem, Context{parameters, m_context.control, m_context.clock})(0, true);
+      const bool goes_on = next.has_map && is_better(next, best);
+      if(next.has_cut)
+        results.push_back(std::move(next));
+      if(!goes_on)
+        return;
+    }
+  }
+
   // A tree through the ends of a given cut and through further features may be worse than that cut.
   void add_given_cut(std::vector<Component_result>& results) const
   {
@@ -147,8 +174,7 @@ private:
 
   Component_result best_of(std::vector<Component_result>& results) const
   {
-    Component_result& best = *std::min_element(results.begin(), results.end(), [this](const auto& a, const auto& b)
-                                               { return is_better(a, b); });
+    Component_result& best = *best_among(results);
     if(results.size() == 1)
       return std::move(best);
     std::vector<Trade_off> seen;
@@ -161,6 +187,11 @@ private:
     best.trade_offs = std::move(seen);
     best.keep_undominated_trade_offs();
     return std::move(best);
+  }
+
+  std::vector<Component_result>::iterator best_among(std::vector<Component_result>& results) const
+  {
+    return std::min_element(results.begin(), results.end(), [this](const auto& a, const auto& b) { return is_better(a, b); });
   }
 
   // The cheaper one that keeps the bound; without a bound, cost counts as much as where features are accepted, so that
