@@ -20,6 +20,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -50,9 +51,10 @@ inline Newton_result converged_map(const Problem& problem, const Open_chart& run
   return result;
 }
 
-// The same, on request made bijective: the map to return.
+// The same, on request made bijective: the map to return. FAILED also where that comes to `hopeless_energy` on the way.
 inline Newton_result final_map(const Problem& problem, const Open_chart& running, const Context& context,
-                               std::vector<Eigen::Vector2d>& uv)
+                               std::vector<Eigen::Vector2d>& uv,
+                               double hopeless_energy = std::numeric_limits<double>::infinity())
 {
   const Newton_result converged = converged_map(problem, running, context, uv);
   if(!context.parameters.do_bijective)
@@ -64,7 +66,7 @@ inline Newton_result final_map(const Problem& problem, const Open_chart& running
     options.least_decrease = least_decrease;
   return Surface_mesh_parameterization::internal::make_bijective(
     running.chart, chart_points(problem.mesh, running.chart), problem.shapes, *context.parameters.linear_solvers, uv,
-    converged, options);
+    converged, options, hopeless_energy);
 }
 
 } // namespace internal

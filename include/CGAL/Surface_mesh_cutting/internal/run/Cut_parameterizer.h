@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -54,18 +55,19 @@ public:
     const Open_chart& running = cut.chart();
     if(!divide_at_once(cut, result))
     {
-      result.chart = running.chart;
-      const Newton_result newton = final_map(m_problem, running, m_context, result.uv);
-      result.energy = newton.energy;
-      result.has_map = newton.outcome != Newton_outcome::FAILED;
-      if(m_context.parameters.do_bijective && !m_context.parameters.use_published_method && !has_bound(m_context.parameters))
+      const bool may_grow = m_context.parameters.do_bijective && !m_context.parameters.use_published_method &&
+                            !has_bound(m_context.parameters);
+      constexpr double hopeless = 1000; // a map that is more distorted is far from what slits lead to
+      map(running, may_grow ? hopeless : infinity, result);
+      if(may_grow)
       {
-        constexpr double tolerance = 0.018;       // of the energy: less is not worth a longer cut
-        constexpr double largest_relieved = 1000; // a map that is more distorted is far from what slits lead to
-        if(result.energy < largest_relieved)
+        constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
+        if(result.energy < hopeless)
           relieve(running, running.energy + tolerance, result);
         if(!result.has_map || result.energy > running.energy + tolerance)
           divide(cut, result);
+        if(!result.has_map && !m_context.control.is_stopped())
+          map(running, infinity, result);
       }
     }
     if(!result.has_map || m_context.control.is_stopped())
@@ -156,6 +158,16 @@ public:
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  void map(const Open_chart& running, double hopeless_energy, Component_result& result) const
+  {
+    result.chart = running.chart;
+    const Newton_result newton = final_map(m_problem, running, m_context, result.uv, hopeless_energy);
+    result.energy = newton.energy;
+    result.has_map = newton.outcome != Newton_outcome::FAILED;
+  }
+
   // Of what is cut in any case; of what opens a surface, no length is proven.
   double mandatory_length() const
   {

@@ -27,6 +27,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -53,10 +54,11 @@ inline int coarsest_size(int number_of_vertices)
 }
 
 // An injective map near the optimum of a surface, whose shape `points` are: Tutte's embedding of the coarsest stage of the
-// hierarchy is injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image.
+// hierarchy is injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image. The
+// stage that ends above `hopeless_energy` is the last.
 inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                        const Linear_solver_source& linear_solvers, const Scaffold_options& options,
-                                       std::vector<Eigen::Vector2d>& uv)
+                                       double hopeless_energy, std::vector<Eigen::Vector2d>& uv)
 {
   // In coarse stages, parts of the chart still travel far, which they hardly can where triangles are small; these stages
   // are cheap, and those of large charts are solved as tightly as the chart.
@@ -69,7 +71,8 @@ inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vec
     if(stage.chart.number_of_vertices() > largest_tight_stage)
       stage_options.decrease = 1e-2; // the next stage goes on
     stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_moving_stage;
-    return Scaffold_minimization(stage.chart, stage.shapes, linear_solvers, stage_options)(stage_uv).outcome;
+    const Newton_result result = Scaffold_minimization(stage.chart, stage.shapes, linear_solvers, stage_options)(stage_uv);
+    return result.energy > hopeless_energy ? Newton_outcome::STOPPED : result.outcome;
   };
   constexpr bool keeps_region = true;
   const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map); };
@@ -80,19 +83,19 @@ inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vec
 // An injective map near the optimum, from the isometric one, which overlaps itself. The latter as a flat surface has all
 // its distortion in its shape already: what it takes to bend its parts apart is smooth, so that coarse stages find it.
 // Should that fail, stages of the surface itself are mapped, or Tutte's embedding of the whole chart is optimized. False
-// if rounding spoils all, or if stopped.
+// if rounding spoils all, if stopped, or if a stage ends above `hopeless_energy`.
 inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                             const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
-                            const Scaffold_options& options, std::vector<Eigen::Vector2d>& uv)
+                            const Scaffold_options& options, double hopeless_energy, std::vector<Eigen::Vector2d>& uv)
 {
   std::vector<Eigen::Vector3d> flat;
   for(const Eigen::Vector2d& p : uv)
     flat.emplace_back(p.x(), p.y(), 0);
-  Stages_outcome outcome = bijective_stages(chart, flat, linear_solvers, options, uv);
+  Stages_outcome outcome = bijective_stages(chart, flat, linear_solvers, options, hopeless_energy, uv);
   if(outcome == Stages_outcome::MAPPED)
     improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv);
   else if(outcome == Stages_outcome::FAILED)
-    outcome = bijective_stages(chart, points, linear_solvers, options, uv);
+    outcome = bijective_stages(chart, points, linear_solvers, options, hopeless_energy, uv);
   if(outcome != Stages_outcome::FAILED)
     return outcome == Stages_outcome::MAPPED;
   if(!tutte_map(chart, points, surface_area(shapes), linear_solvers, uv))
@@ -105,18 +108,19 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
 
 // As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
 // isometric map, with what its solve returned. That is the answer if its borders do not overlap.
-// FAILED if no injective map was found.
+// FAILED if no injective map was found, or if one on the way has more than `hopeless_energy`.
 inline Newton_result make_bijective(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                                     const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
                                     std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
-                                    const Newton_options& options)
+                                    const Newton_options& options,
+                                    double hopeless_energy = std::numeric_limits<double>::infinity())
 {
   if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
     return isometric;
   Scaffold_options scaffold_options;
   scaffold_options.go_further = options.go_further;
   if(isometric.outcome == Newton_outcome::STOPPED ||
-     !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, uv))
+     !bijective_start(chart, points, shapes, linear_solvers, scaffold_options, hopeless_energy, uv))
     return Newton_result();
   scaffold_options.least_decrease = options.least_decrease;
   scaffold_options.least_energy = isometric.energy;
