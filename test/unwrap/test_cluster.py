@@ -114,7 +114,7 @@ class Cluster(unittest.TestCase):
         proven = [record for record in records if record["outcome"] == "certified"]
         self.assertEqual(page.count("<img"), len(proven))
         self.assertEqual(len(list((self.reference / "pictures").iterdir())), len(proven))
-        self.assertIn(f"{PROGRAM} {self.folder}/meshes/twice.off --threads 1", page)
+        self.assertIn(f"{PROGRAM} {self.folder}/meshes/nothing.off --threads 1", page)
 
     @needs("parallel")
     def test_parallel(self):
