@@ -133,13 +133,10 @@ private:
     Cutting_parameters parameters = m_context.parameters;
     parameters.adapt_to_size(m_problem.mesh.number_of_faces());
     const Start_run<ConcurrencyTag> run(m_problem, Context{parameters, m_context.control, m_context.clock});
-    for(bool is_shortened : {false, true})
+    if(!m_context.control.go_further())
+      return;
+    for(Component_result& result : run.from_given_cut())
     {
-      if(!m_context.control.go_further())
-        return;
-      Component_result result = run.from_given_cut(is_shortened);
-      if(!result.has_cut || !result.has_map)
-        continue;
       if(!results.empty())
         result.number_of_candidates = results.front().number_of_candidates;
       results.push_back(std::move(result));

@@ -76,28 +76,33 @@ public:
     return result;
   }
 
-  // The given cut, completed and then shortened on request; features play no part.
-  Component_result from_given_cut(bool is_shortened) const
+  // The given cut, completed, and the same shortened; features play no part. None without a map.
+  std::vector<Component_result> from_given_cut() const
   {
-    Component_result result;
+    std::vector<Component_result> results;
     const Connected_cut given = m_problem.initial.template connected<ConcurrencyTag>(m_problem.mesh, m_problem.constraints,
                                                                                      m_problem.terminals, m_control);
-    result.status = given.status;
-    if(!result.status)
-      return result;
+    if(!given.status)
+      return results;
     std::vector<int> ends = ends_and_forks(m_problem.mesh, given.cut);
     ends.insert(ends.end(), m_problem.terminals.begin(), m_problem.terminals.end());
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     Refiner refiner(m_problem, m_context);
     if(!refiner.start(std::move(ends), given.cut))
-      result.status = failure(m_control);
-    else if(is_shortened)
-      refine_and_parameterize(refiner, refiner.cut().energy() + m_parameters.minimum_distortion_decrease,
-                              number_of_solves(), result);
-    else
-      parameterize(refiner, result);
-    return result;
+      return results;
+    Component_result completed, shortened;
+    m_parameterizer(refiner.cut(), completed);
+    say_if_missed(completed);
+    if(completed.has_map)
+      results.push_back(std::move(completed));
+    if(!m_control.go_further())
+      return results;
+    refine_and_parameterize(refiner, refiner.cut().energy() + m_parameters.minimum_distortion_decrease,
+                            number_of_solves(), shortened);
+    if(shortened.has_map)
+      results.push_back(std::move(shortened));
+    return results;
   }
 
 private:
@@ -171,12 +176,6 @@ private:
       lower_without_overlaps(refiner, repair_threshold, result);
       result.cost_of_room = result.cost - cost_with_overlaps;
     }
-    say_if_missed(result);
-  }
-
-  void parameterize(const Refiner& refiner, Component_result& result) const
-  {
-    m_parameterizer(refiner.cut(), result);
     say_if_missed(result);
   }
 
