@@ -67,12 +67,12 @@ inline std::vector<int> nested_dissection_order(const Sparse_matrix& adjacency)
 
 // An order of the vertices of a graph that keeps Cholesky factors sparse: order[i] is eliminated as
 // the i-th. `adjacency` has all diagonal entries: Eigen takes a row without its own for a dense row.
-// Where METIS is there, large charts are dissected: with half a million vertices, that saves three
-// quarters of the time of every factorization; below some ten thousand, it does not pay.
+// Where METIS is there, large charts are dissected: with half a million vertices, that saves two
+// thirds of the work of every factorization; below, it takes longer than what the few factorizations save.
 inline std::vector<int> fill_reducing_order(const Sparse_matrix& adjacency)
 {
 #ifdef CGAL_METIS_ENABLED
-  constexpr int large = 20000;
+  constexpr int large = 200000;
   if(adjacency.cols() >= large)
   {
     std::vector<int> order = nested_dissection_order(adjacency);
