@@ -108,6 +108,8 @@ struct Cutting_parameters
       number_of_shortening_solves = (std::max)(number_of_shortening_solves, least_number_of_solves);
   }
 
+  bool has_bound() const { return maximum_average_distortion < std::numeric_limits<double>::infinity(); }
+
   // Cost: to remove less of a cut is not worth another map.
   double least_removal() const
   {

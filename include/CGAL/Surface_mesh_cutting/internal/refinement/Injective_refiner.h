@@ -28,6 +28,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <Eigen/Core>
 
@@ -65,6 +66,27 @@ public:
     return true;
   }
 
+  // Opens slits to `tips` together, each from the cut and those before it. If they lead less than half the way to
+  // `goal`, `cut` stays as it is: slits are better chosen one by one then.
+  void open_to(const std::vector<int>& tips, double goal, Injective_cut& cut)
+  {
+    constexpr double least_share = 0.5;
+    Cut with_slits = cut.cut;
+    std::vector<int> edges, ends = cut.ends;
+    for(int tip : tips)
+    {
+      const Slit slit = m_slits.slit_to(tip, with_slits);
+      for(int e : slit.edges)
+        with_slits[e] = 1;
+      edges.insert(edges.end(), slit.edges.begin(), slit.edges.end());
+      if(slit.tip >= 0)
+        ends.push_back(slit.tip);
+    }
+    Injective_cut all = opened(cut, edges, std::move(ends), goal);
+    if(all.map.energy - goal <= least_share * (cut.map.energy - goal))
+      cut = std::move(all);
+  }
+
 private:
   bool has_time() const
   {
@@ -89,14 +111,14 @@ private:
       trials = useful_trials(goal, cut);
     if(trials.empty())
       return false;
-    if(trials.size() == 1 || cut.map.energy - goal < far * trials.front().slit.gain || !open_all(trials, cut))
+    if(trials.size() == 1 || cut.map.energy - goal < far * trials.front().slit.gain || !open_all(trials, goal, cut))
       cut = std::move(trials.front().cut);
     return true;
   }
 
   // Slits are paths of one forest of shortest paths, so that together they leave a disk, too. False if they gain
   // much less than the sum of their gains.
-  bool open_all(const std::vector<Trial>& trials, Injective_cut& cut)
+  bool open_all(const std::vector<Trial>& trials, double goal, Injective_cut& cut)
   {
     constexpr double share = 0.8;      // of that sum
     constexpr double least_gain = 0.5; // per cost, relative to the best: with others opened, better ones are found
@@ -112,9 +134,8 @@ private:
       ends.push_back(t.slit.tip);
       gain += t.slit.gain;
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    Injective_cut all = opened(cut, edges, std::move(ends));
+    CGAL::internal::Graph_kernel::sort_unique(edges);
+    Injective_cut all = opened(cut, edges, std::move(ends), goal);
     if(cut.map.energy - all.map.energy < share * gain)
       return false;
     cut = std::move(all);
@@ -132,7 +153,7 @@ private:
         break;
       std::vector<int> ends = cut.ends;
       ends.push_back(slit.tip);
-      Injective_cut trial = opened(cut, slit.edges, std::move(ends));
+      Injective_cut trial = opened(cut, slit.edges, std::move(ends), goal);
       slit.gain = cut.map.energy - (std::max)(trial.map.energy, goal);
       const bool is_enough = trial.map.energy <= goal;
       if(is_enough || slit.gain > least_gain)
@@ -189,7 +210,7 @@ private:
     return slits;
   }
 
-  Injective_cut opened(const Injective_cut& cut, const std::vector<int>& edges, std::vector<int> ends)
+  Injective_cut opened(const Injective_cut& cut, const std::vector<int>& edges, std::vector<int> ends, double goal)
   {
     using namespace Surface_mesh_parameterization::internal;
     Injective_cut result = cut;
@@ -205,6 +226,8 @@ private:
     options.decrease = 4e-4; // the slit is narrow at first, and what it gains comes late
     options.maximum_rounds = 6;
     options.go_further = m_context.control;
+    if(m_context.parameters.ends_early_in_room)
+      options.enough_energy = goal;
     const Newton_result newton = Scaffold_minimization(result.chart, m_problem.shapes,
                                                        *m_context.parameters.linear_solvers, options)(result.map.uv);
     m_number_of_solved_faces += double(newton.iterations) * m_problem.mesh.number_of_faces();

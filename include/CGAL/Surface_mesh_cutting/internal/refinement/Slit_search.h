@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -82,14 +84,20 @@ public:
       for(int v : local_maximizers(m_mesh, by_score ? score : distortion))
         if(score[v] > 0)
           tips.emplace_back(-score[v], v);
-    std::sort(tips.begin(), tips.end());
-    tips.erase(std::unique(tips.begin(), tips.end()), tips.end());
+    CGAL::internal::Graph_kernel::sort_unique(tips);
     if(tips.size() > maximum_number)
       tips.resize(maximum_number);
     std::vector<Slit> slits;
     for(const auto& tip : tips)
       slits.push_back(slit_from(tip.second));
     return slits;
+  }
+
+  // The cheapest slit to `v`. The tip is -1 if there is none, since the cut passes through `v` or cannot reach it.
+  Slit slit_to(int v, const Cut& cut)
+  {
+    measure_distances(cut);
+    return is_off_cut(v) ? slit_from(v) : Slit();
   }
 
   // The slit that gains most beyond its cost, of those to `tip` or to cheaper vertices within `reach` of it. The tip
@@ -124,8 +132,7 @@ public:
       ends.push_back(m_mesh.source(m_mesh.halfedge(closed_edges[(2 * i - 1) * closed_edges.size() / (2 * ends_on_part)])));
     for(double distance : {reach / 3, reach})
       add_spread(tip, distance, number_of_ends, ends);
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    CGAL::internal::Graph_kernel::sort_unique(ends);
     std::vector<Slit> slits;
     for(int v : ends)
       if(is_off_cut(v) && v != tip)
@@ -152,8 +159,7 @@ private:
         cheapest = v;
       return limit <= reach;
     });
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    CGAL::internal::Graph_kernel::sort_unique(ends);
     ends.erase(std::remove_if(ends.begin(), ends.end(), [this](int v) { return !is_off_cut(v); }), ends.end());
     return ends;
   }

@@ -17,16 +17,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Cut_refiner.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-inline bool has_bound(const Cutting_parameters& parameters)
-{
-  return parameters.maximum_average_distortion < std::numeric_limits<double>::infinity();
-}
 
 // What refinement aims at.
 struct Refinement_goal
@@ -57,7 +51,7 @@ void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, c
   Refinement_limits limits;
   limits.keeps_tree = goal.keeps_tree;
   limits.number_of_solves = goal.number_of_solves;
-  if(has_bound(parameters))
+  if(parameters.has_bound())
   {
     refiner.reduce_distortion_to(goal.bound);
     limits.energy = (std::max)(goal.bound, refiner.cut().chart().energy);

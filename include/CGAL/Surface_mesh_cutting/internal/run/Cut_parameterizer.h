@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/coarse_slits.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
@@ -56,12 +57,12 @@ public:
     if(!divide_at_once(cut, result))
     {
       const bool may_grow = m_context.parameters.do_bijective && !m_context.parameters.use_published_method &&
-                            !has_bound(m_context.parameters);
+                            !m_context.parameters.has_bound();
       constexpr double hopeless = 1000; // a map that is more distorted is far from what slits lead to
       map(running, may_grow ? hopeless : infinity, result);
       if(may_grow)
       {
-        constexpr double tolerance = 0.018; // of the energy: less is not worth a longer cut
+        constexpr double tolerance = 0.0195; // of the energy: less is not worth a longer cut
         if(result.energy < hopeless)
           relieve(running, running.energy + tolerance, result);
         if(!result.has_map || result.energy > running.energy + tolerance)
@@ -100,7 +101,10 @@ public:
       return;
     const std::size_t former_ends = result.features.size();
     Injective_cut injective = injective_cut(result);
-    Injective_refiner(m_problem, m_context, overlapping).lower_to(goal, injective);
+    Injective_refiner refiner(m_problem, m_context, overlapping);
+    if(has_coarse_slits(m_problem, m_context.parameters))
+      refiner.open_to(coarse_slits(m_problem, m_context, overlapping.chart, result.energy - goal), goal, injective);
+    refiner.lower_to(goal, injective);
     result.is_optimal = result.is_optimal && injective.ends.size() == former_ends;
     take(std::move(injective), result);
   }
@@ -145,7 +149,7 @@ public:
     if(newton.outcome == Newton_outcome::FAILED || !division.is_complete())
       return;
     const double cost = cut_cost(m_problem.constraints, division.cut());
-    if(result.has_map && !has_bound(m_context.parameters) &&
+    if(result.has_map && !m_context.parameters.has_bound() &&
        result.energy - newton.energy < m_context.parameters.decrease_per_cost * (cost - result.cost))
       return;
     if(!m_context.control.is_stopped())

@@ -14,9 +14,12 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_disk.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Local_filter.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
 #include <utility>
@@ -30,31 +33,21 @@ namespace internal {
 // On a surface that is opened to a disk, on a coarser version of that disk.
 inline Detected_features detect_features_of_disk(const Problem& fine, const Context& context)
 {
-  using namespace Surface_mesh_parameterization::internal;
   constexpr int faces_per_handle = 100; // of the coarser version: as many as show what its part of the surface looks like
   const Phase_clock::Measurement measurement(context.clock, Phase::FILTER);
-  const Corner_table chart = make_chart(fine.mesh, fine.constraints.mandatory);
-  const Indexed_mesh disk(chart_points(fine.mesh, chart), chart.triangles(), chart.opposites());
-  Edge_constraints constraints = unconstrained(disk);
-  for(int e = 0; e < disk.number_of_edges(); ++e)
-    constraints.weights[e] = fine.constraints.weights[fine.mesh.edge(disk.halfedge(e))];
   const int handles = 1 - Corner_table(fine.mesh.triangles(), fine.mesh.opposites(),
                                        fine.mesh.number_of_vertices()).euler_characteristic() / 2;
   const int number_of_faces = (std::max)(context.parameters.coarse_number_of_faces, faces_per_handle * handles);
-  const Coarse_mesh coarse(disk, number_of_faces / 2, {}, context.parameters.linear_solvers->execution());
-  const Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
-                        coarse_constraints(disk, constraints, coarse, {}), {}, Initial_cut(), false};
+  const Coarse_disk coarse(fine, make_chart(fine.mesh, fine.constraints.mandatory), number_of_faces, context);
   const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
-  Local_filter filter(problem, Context{parameters, context.control, context.clock});
+  Local_filter filter(coarse.problem(), Context{parameters, context.control, context.clock});
   Detected_features detected;
   if(!filter.run())
     detected.status = context.control.is_stopped() ? failure(context.control) : Indexed_status();
   detected.number_of_candidates = filter.number_of_candidates();
-  detected.features = fine.terminals;
-  for(int v : filter.features())
-    detected.features.push_back(chart.origins()[coarse.vertices[v]]);
-  std::sort(detected.features.begin(), detected.features.end());
-  detected.features.erase(std::unique(detected.features.begin(), detected.features.end()), detected.features.end());
+  detected.features = coarse.lifted(filter.features());
+  detected.features.insert(detected.features.end(), fine.terminals.begin(), fine.terminals.end());
+  CGAL::internal::Graph_kernel::sort_unique(detected.features);
   detected.trade_offs = filter.trade_offs();
   return detected;
 }

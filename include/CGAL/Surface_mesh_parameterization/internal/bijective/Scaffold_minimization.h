@@ -40,6 +40,8 @@ struct Scaffold_options
   double least_decrease = 0;
   // Known to be no larger than that of any injective map: nothing is done where there is less to gain than that.
   double least_energy = 0;
+  // No round follows once the energy is at most this.
+  double enough_energy = 0;
   // Whether the scaffold's own vertices move, too. Within a round, parts of the chart can then
   // travel farther than to the next vertex of the scaffold, at twice the cost.
   bool moves_scaffold = false;
@@ -84,7 +86,8 @@ public:
       uv.swap(next);
       const double former = result.energy;
       result.energy = energy(uv);
-      if(whole.outcome == Newton_outcome::STOPPED || former - result.energy < m_options.decrease * former ||
+      if(whole.outcome == Newton_outcome::STOPPED || result.energy <= m_options.enough_energy ||
+         former - result.energy < m_options.decrease * former ||
          (whole.outcome == Newton_outcome::CONVERGED && stress(whole, result.energy) < m_options.decrease * former))
       {
         result.outcome = whole.outcome == Newton_outcome::STOPPED ? whole.outcome : Newton_outcome::CONVERGED;
