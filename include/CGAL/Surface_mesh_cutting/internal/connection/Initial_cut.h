@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -58,8 +60,7 @@ public:
         for(int v : {mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))})
           if(is_reachable[v])
             terminals.push_back(v);
-    std::sort(terminals.begin(), terminals.end());
-    terminals.erase(std::unique(terminals.begin(), terminals.end()), terminals.end());
+    CGAL::internal::Graph_kernel::sort_unique(terminals);
     CGAL::internal::Steiner_tree::Options options;
     options.method = CGAL::internal::Steiner_tree::Method::shortest_path_heuristic;
     return connect_terminals<ConcurrencyTag>(mesh, guide(constraints), terminals, options, go_further);

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -103,8 +105,7 @@ private:
                                         m_mesh.triangles()[side / 3].end(), is_inside))
               faces.push_back(side / 3);
         }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    CGAL::internal::Graph_kernel::sort_unique(faces);
     return faces;
   }
 

@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <algorithm>
 #include <limits>
 #include <random>
@@ -149,8 +151,7 @@ private:
   static void add(const std::vector<int>& vertices, std::vector<int>& features)
   {
     features.insert(features.end(), vertices.begin(), vertices.end());
-    std::sort(features.begin(), features.end());
-    features.erase(std::unique(features.begin(), features.end()), features.end());
+    CGAL::internal::Graph_kernel::sort_unique(features);
   }
 
   // A surface as even as a sphere may have a single maximizer, or none where the map failed; a cut

@@ -19,6 +19,7 @@
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/spanning_forest.h>
 
 #include <algorithm>
@@ -204,9 +205,7 @@ private:
     for(int e : m_cut_graph)
       for(int v : {graph.edges[e].source, graph.edges[e].target})
         m_cut_graph_nodes.push_back(v);
-    std::sort(m_cut_graph_nodes.begin(), m_cut_graph_nodes.end());
-    m_cut_graph_nodes.erase(std::unique(m_cut_graph_nodes.begin(), m_cut_graph_nodes.end()),
-                            m_cut_graph_nodes.end());
+    CGAL::internal::Graph_kernel::sort_unique(m_cut_graph_nodes);
   }
 
   const Corner_table& m_chart;

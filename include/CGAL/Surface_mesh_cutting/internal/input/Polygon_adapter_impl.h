@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -76,8 +78,7 @@ void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polyg
 CGAL_SURFACE_MESH_CUTTING_INLINE
 void Polygon_adapter::refuse_polygons(Status_code code, const char* message, std::vector<int> polygons)
 {
-  std::sort(polygons.begin(), polygons.end());
-  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+  CGAL::internal::Graph_kernel::sort_unique(polygons);
   m_polygons.resize(polygons.empty() ? 0 : std::size_t(polygons.back()) + 1);
   std::iota(m_polygons.begin(), m_polygons.end(), 0);
   m_status = Indexed_status(code, message, Element_kind::FACE, std::move(polygons));

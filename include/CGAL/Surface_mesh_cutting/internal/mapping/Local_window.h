@@ -20,10 +20,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -78,8 +78,7 @@ public:
                   }
                   return true;
                 });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    CGAL::internal::Graph_kernel::sort_unique(faces);
     m_faces = std::move(faces);
     m_radius = radius;
     return m_faces.size() <= largest;

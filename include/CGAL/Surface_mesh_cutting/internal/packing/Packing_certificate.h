@@ -26,6 +26,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -52,8 +54,7 @@ public:
     find_outside();
     find_close();
     find_overlaps();
-    std::sort(m_faces.begin(), m_faces.end());
-    m_faces.erase(std::unique(m_faces.begin(), m_faces.end()), m_faces.end());
+    CGAL::internal::Graph_kernel::sort_unique(m_faces);
   }
 
   explicit operator bool() const { return m_faces.empty(); }

@@ -18,7 +18,8 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -38,8 +39,7 @@ inline std::vector<double> hull_angles(const Chart_outline& outline)
     const double angle = std::fmod(2 * CGAL_PI - std::atan2(edge.y(), edge.x()), quarter);
     angles.push_back(angle);
   }
-  std::sort(angles.begin(), angles.end());
-  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+  CGAL::internal::Graph_kernel::sort_unique(angles);
   return angles;
 }
 

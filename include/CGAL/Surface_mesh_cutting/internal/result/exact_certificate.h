@@ -20,6 +20,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -104,8 +106,7 @@ inline Certificate certify(const Corner_table& chart, const std::vector<Eigen::V
   const auto begin = parts.part.begin(), end = parts.part.end();
   for(const std::pair<int, int>& containment : overlaps.containments())
     faces.push_back(int(std::find(begin, end, containment.first) - begin));
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  CGAL::internal::Graph_kernel::sort_unique(faces);
   return certificate;
 }
 

@@ -96,7 +96,7 @@ public:
       failed.status = failure(m_context.control);
       return failed;
     }
-    if(m_context.parameters.runs_all_efforts && has_bound(m_context.parameters) && !m_problem.is_opened)
+    if(m_context.parameters.runs_all_efforts && m_context.parameters.has_bound() && !m_problem.is_opened)
       go_on_from_best(results);
     return best_of(results);
   }
@@ -147,7 +147,7 @@ private:
   bool goes_on_after(const std::vector<Component_result>& results) const
   {
     constexpr int largest = 2000; // faces
-    return has_bound(m_context.parameters) && !m_context.parameters.use_published_method &&
+    return m_context.parameters.has_bound() && !m_context.parameters.use_published_method &&
            m_problem.mesh.number_of_faces() <= largest && !results.empty() &&
            results.front().has_map && results.front().energy > m_context.parameters.maximum_average_distortion;
   }
@@ -199,8 +199,8 @@ private:
     const double bound = parameters.maximum_average_distortion;
     const auto rank = [&](const Component_result& r)
     {
-      const double excess = !r.has_map ? infinity : has_bound(parameters) ? (std::max)(0., r.energy - bound) : 0;
-      const double value = has_bound(parameters) ? r.cost : r.energy + parameters.decrease_per_cost * r.cost;
+      const double excess = !r.has_map ? infinity : parameters.has_bound() ? (std::max)(0., r.energy - bound) : 0;
+      const double value = parameters.has_bound() ? r.cost : r.energy + parameters.decrease_per_cost * r.cost;
       return std::make_pair(excess, value);
     };
     return rank(a) < rank(b);

@@ -100,7 +100,7 @@ private:
     constexpr int solves_with_bound = 14, solves_without_bound = 6;
     Cutting_parameters parameters = m_parameters;
     parameters.number_of_starts = 1;
-    parameters.number_of_shortening_solves = has_bound(m_parameters) ? solves_with_bound : solves_without_bound;
+    parameters.number_of_shortening_solves = m_parameters.has_bound() ? solves_with_bound : solves_without_bound;
     parameters.coarse_number_of_faces
       = int(relative_size(place) * (std::min)(number_of_faces, largest_share * m_problem.mesh.number_of_faces()));
     const Context context{parameters, m_control, m_context.clock};
@@ -142,7 +142,7 @@ private:
   // energy falls about with the third power of the length.
   double expected_cost(const Found& found) const
   {
-    if(!has_bound(m_parameters))
+    if(!m_parameters.has_bound())
       return found.energy + exchange_parameters().decrease_per_cost * found.cost;
     return found.cost * std::cbrt((found.energy - ideal) / (m_parameters.maximum_average_distortion - ideal));
   }
@@ -151,7 +151,7 @@ private:
   {
     const auto rank = [this](const Found& f)
     {
-      if(!has_bound(m_parameters))
+      if(!m_parameters.has_bound())
         return std::make_pair(0., expected_cost(f));
       return std::make_pair((std::max)(0., f.energy - m_parameters.maximum_average_distortion), f.cost);
     };
@@ -199,7 +199,7 @@ private:
   {
     constexpr int solves_with_bound = 20, solves_without_bound = 4, finalists_with_bound = 2;
     constexpr int more_solves_with_bound = 40, more_solves_without_bound = 6;
-    const bool is_bounded = has_bound(m_parameters);
+    const bool is_bounded = m_parameters.has_bound();
     const int number_of_finalists = (std::min)(is_bounded ? finalists_with_bound : 1, int(found.size()));
     std::vector<Refiner> refiners(number_of_finalists, Refiner(m_problem, m_context));
     std::vector<Found> finalists(number_of_finalists);

@@ -29,6 +29,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
 #include <atomic>
@@ -136,8 +137,7 @@ private:
   {
     std::vector<int>& features = result.features;
     features.insert(features.end(), m_constraints.terminals.begin(), m_constraints.terminals.end());
-    std::sort(features.begin(), features.end());
-    features.erase(std::unique(features.begin(), features.end()), features.end());
+    CGAL::internal::Graph_kernel::sort_unique(features);
     if(!weights_are_lengths(m_mesh, m_constraints.edges))
       result.lower_bound = 0;
   }

@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -86,8 +88,7 @@ public:
       return results;
     std::vector<int> ends = ends_and_forks(m_problem.mesh, given.cut);
     ends.insert(ends.end(), m_problem.terminals.begin(), m_problem.terminals.end());
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    CGAL::internal::Graph_kernel::sort_unique(ends);
     Refiner refiner(m_problem, m_context);
     if(!refiner.start(std::move(ends), given.cut))
       return results;
@@ -124,7 +125,7 @@ private:
   // Where features are found on a coarser version, refinement without a bound or a given cut happens there.
   bool refines() const
   {
-    return m_is_coarsened ? has_bound(m_parameters) : internal::refines(m_problem, m_parameters);
+    return m_is_coarsened ? m_parameters.has_bound() : internal::refines(m_problem, m_parameters);
   }
 
   // A coarser version showed about where ends belong; a whole cut to one disk has too many.
@@ -170,7 +171,7 @@ private:
   {
     const double bound = m_parameters.maximum_average_distortion;
     refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves, false, rounds_of_moved_ends()}, result);
-    if(has_bound(m_parameters) && m_parameters.do_bijective && result.energy > bound)
+    if(m_parameters.has_bound() && m_parameters.do_bijective && result.energy > bound)
     {
       const double cost_with_overlaps = result.cost;
       lower_without_overlaps(refiner, repair_threshold, result);

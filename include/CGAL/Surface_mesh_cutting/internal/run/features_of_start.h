@@ -20,7 +20,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/open_handles.h>
 
-#include <algorithm>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,7 @@ inline bool is_coarsened(const Problem& problem, const Cutting_parameters& param
 // Whether a connected cut is refined where its features were found.
 inline bool refines(const Problem& problem, const Cutting_parameters& parameters)
 {
-  return has_bound(parameters) || problem.initial.is_given() || parameters.number_of_shortening_solves > 0;
+  return parameters.has_bound() || problem.initial.is_given() || parameters.number_of_shortening_solves > 0;
 }
 
 // Asks for no more than a coarse map resolves.
@@ -80,8 +81,7 @@ inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, c
   for(int v : features)
     if(is_reachable[coarse.vertices[v]])
       result.push_back(coarse.vertices[v]);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  CGAL::internal::Graph_kernel::sort_unique(result);
   return result;
 }
 

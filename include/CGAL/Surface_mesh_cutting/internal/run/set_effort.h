@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +26,7 @@ namespace internal {
 // The sizes and budgets were found by measuring (see benchmark/constants); all count work, not seconds.
 inline void set_effort(Effort effort, Cutting_parameters& p)
 {
-  const bool has_bound = p.maximum_average_distortion < std::numeric_limits<double>::infinity();
+  const bool has_bound = p.has_bound();
   p.coarse_number_of_faces = p.given_coarse_number_of_faces.value_or(5000);
   p.is_coarser_where_small = effort == Effort::FAST && !has_bound && !p.given_coarse_number_of_faces;
   p.number_of_corrective_solves = has_bound ? 8 : 0;

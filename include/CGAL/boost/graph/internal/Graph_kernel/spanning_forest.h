@@ -13,6 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SPANNING_FOREST_H
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
@@ -54,8 +55,7 @@ public:
       m_vertices.push_back(graph.edges[e].source);
       m_vertices.push_back(graph.edges[e].target);
     }
-    std::sort(m_vertices.begin(), m_vertices.end());
-    m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
+    sort_unique(m_vertices);
   }
 
   // from and to the numbers of the vertices in the whole graph

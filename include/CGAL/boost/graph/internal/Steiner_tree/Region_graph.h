@@ -14,6 +14,7 @@
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Voronoi_regions.h>
 
@@ -68,8 +69,7 @@ public:
       add_path_to_center(m_graph.edges[m_bridges[e]].source, result);
       add_path_to_center(m_graph.edges[m_bridges[e]].target, result);
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    Graph_kernel::sort_unique(result);
     return result;
   }
 
