@@ -48,9 +48,10 @@ namespace Surface_mesh_cutting {
 /// The result is proven as `certify_packing()` does, with the coordinates that `halfedge_uv_map` holds; those may also
 /// be of type `float` or of an exact number type.
 ///
-/// Charts are drawn on grids of up to 2048 cells along a side, in 4 to 16 turns. Let \f$ c \f$ be their number; then the
-/// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts. Up to 100
-/// charts push each other apart afterwards, off the grid and turned as they like, in about as much time again.
+/// Charts are drawn on grids of 512 to 4096 cells along a side, in 4 to 16 turns. Let \f$ c \f$ be their number; then the
+/// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts. Up to 1000
+/// charts then leave the grid and push each other apart, turned as they like; that takes a fixed number of tries per chart,
+/// some seconds for a hundred charts.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
