@@ -64,7 +64,7 @@ struct Cutting_parameters
   // A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few
   // features: measured at full resolution, the energy is as low as that of features found there with this factor.
   double resolved_gain = 0.85;
-  bool is_coarser_where_small = false; // see `adapt_to_size()`
+  bool is_coarser_where_small = false; // see `adapted_to_size()`
   int number_of_shortening_solves = 0; // at most, where features are found
   int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
   // How the feature points are connected; its decrease is epsilon_len as a length.
@@ -82,13 +82,16 @@ struct Cutting_parameters
 
   // On a small surface, features of a still coarser version lead to cuts of about the same quality, and finding them takes
   // most of the time; on a large one, it does not.
-  void adapt_to_size(int number_of_faces)
+  Cutting_parameters adapted_to_size(int number_of_faces) const
   {
     constexpr int largest_number_of_faces = 25000;
-    if(!is_coarser_where_small || number_of_faces > largest_number_of_faces)
-      return;
-    coarse_number_of_faces = 3000;
-    resolved_gain = 0.78;
+    Cutting_parameters result = *this;
+    if(is_coarser_where_small && number_of_faces <= largest_number_of_faces)
+    {
+      result.coarse_number_of_faces = 3000;
+      result.resolved_gain = 0.78;
+    }
+    return result;
   }
 
   // Costs are in units of what a unit of length costs on average over the surface: exchange rates remain.

@@ -82,6 +82,8 @@ public:
       if(slit.tip >= 0)
         ends.push_back(slit.tip);
     }
+    if(edges.empty())
+      return;
     Injective_cut all = opened(cut, edges, std::move(ends), goal);
     if(all.map.energy - goal <= least_share * (cut.map.energy - goal))
       cut = std::move(all);

@@ -48,7 +48,7 @@ public:
       return result;
     Cutting_parameters parameters = m_context.parameters;
     parameters.number_of_starts = 1; // what is asked for is what the paper detects
-    parameters.adapt_to_size(m_problem.mesh.number_of_faces());
+    parameters = parameters.adapted_to_size(m_problem.mesh.number_of_faces());
     Detected_features detected
       = detect_features<ConcurrencyTag>(m_problem, 0, Context{parameters, m_context.control, m_context.clock});
     result.status = detected.status;
@@ -72,8 +72,7 @@ public:
     const std::vector<Component_result> none;
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
-      runs[i].adapt_to_size(m_problem.mesh.number_of_faces());
-      const Start_run<ConcurrencyTag> run_with(m_problem, Context{runs[i], m_context.control, m_context.clock});
+      const Start_run<ConcurrencyTag> run_with(m_problem, runs[i], m_context);
       const bool is_other_start = i > 0 && runs.size() <= seeds.size(); // and the rest is the same
       Component_result result = run_with(0, needs_uv || runs.size() > 1, is_other_start ? results : none);
       if(!result.has_cut && results.empty())
@@ -106,8 +105,7 @@ private:
   void go_on_from_best(std::vector<Component_result>& results) const
   {
     constexpr int maximum_number_of_rounds = 4;
-    Cutting_parameters parameters = with_effort(Effort::DEFAULT, m_context.parameters);
-    parameters.adapt_to_size(m_problem.mesh.number_of_faces());
+    const Cutting_parameters parameters = with_effort(Effort::DEFAULT, m_context.parameters);
     for(int round = 0; round < maximum_number_of_rounds && m_context.control.go_further(); ++round)
     {
       const Component_result& best = *best_among(results);
@@ -118,7 +116,7 @@ private:
       problem.initial = Initial_cut(best.cut);
       if(!open_handles<ConcurrencyTag>(problem, m_context))
         return;
-      Component_result next = Start_run<ConcurrencyTag>(problem, Context{parameters, m_context.control, m_context.clock})(0, true);
+      Component_result next = Start_run<ConcurrencyTag>(problem, parameters, m_context)(0, true);
       const bool goes_on = next.has_map && is_better(next, best);
       if(next.has_cut)
         results.push_back(std::move(next));
@@ -130,12 +128,9 @@ private:
   // A tree through the ends of a given cut and through further features may be worse than that cut.
   void add_given_cut(std::vector<Component_result>& results) const
   {
-    Cutting_parameters parameters = m_context.parameters;
-    parameters.adapt_to_size(m_problem.mesh.number_of_faces());
-    const Start_run<ConcurrencyTag> run(m_problem, Context{parameters, m_context.control, m_context.clock});
     if(!m_context.control.go_further())
       return;
-    for(Component_result& result : run.from_given_cut())
+    for(Component_result& result : Start_run<ConcurrencyTag>(m_problem, m_context.parameters, m_context).from_given_cut())
     {
       if(!results.empty())
         result.number_of_candidates = results.front().number_of_candidates;

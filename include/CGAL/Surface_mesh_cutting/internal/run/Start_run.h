@@ -37,11 +37,16 @@ class Start_run
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
 
 public:
-  // The references are kept.
-  Start_run(const Problem& problem, const Context& context)
-    : m_problem(problem), m_context(context), m_parameters(context.parameters), m_control(context.control),
-      m_parameterizer(problem, context), m_is_coarsened(is_coarsened(problem, context.parameters))
+  // The references are kept, but that to the parameters of the context: `parameters`, adapted to the size of the surface,
+  // take their place.
+  Start_run(const Problem& problem, const Cutting_parameters& parameters, const Context& context)
+    : m_problem(problem), m_parameters(parameters.adapted_to_size(problem.mesh.number_of_faces())),
+      m_context{m_parameters, context.control, context.clock}, m_control(context.control),
+      m_parameterizer(problem, m_context), m_is_coarsened(is_coarsened(problem, m_parameters))
   {}
+
+  Start_run(const Start_run&) = delete; // the context refers to the parameters
+  Start_run& operator=(const Start_run&) = delete;
 
   // There is no cut if the features are those of one of `others`, from another start with the same parameters.
   Component_result operator()(int start, bool needs_map, const std::vector<Component_result>& others = {}) const
@@ -271,8 +276,8 @@ private:
   }
 
   const Problem& m_problem;
+  const Cutting_parameters m_parameters;
   const Context m_context;
-  const Cutting_parameters& m_parameters;
   Run_control& m_control;
   const Cut_parameterizer<ConcurrencyTag> m_parameterizer;
   const bool m_is_coarsened;
