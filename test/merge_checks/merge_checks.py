@@ -1,10 +1,12 @@
-"""The formal checks that CGAL makes before it merges a package.
+"""The formal checks that CGAL makes before it merges a package, and one of the table of constants.
 
 usage: merge_checks.py SOURCE_FOLDER CHECK
 
 prints each violation, and exits with 1 if there is one.
 """
 
+import csv
+import io
 import re
 import sys
 from pathlib import Path
@@ -290,6 +292,19 @@ def package_info(root):
             yield f"{file.relative_to(root)}: names a package twice"
 
 
+def tuned_constants(root):
+    """each row of the table of constants marks a piece of code that occurs once; the page has the same rows"""
+    folder = root / "benchmark/constants"
+    page = read(folder / "README.md")
+    for row in csv.DictReader(io.StringIO(read(folder / "constants.csv"))):
+        name, value = f"{row['file']}, {row['constant']}", re.search("@(.*?)@", row["code"])[1]
+        if read(root / "include/CGAL" / row["file"]).count(row["code"].replace("@", "")) != 1:
+            yield f"benchmark/constants/constants.csv: {name}: {row['code']} does not occur once"
+        start = re.escape(f"| `{Path(row['file']).name}` | {row['constant']}")
+        if not re.search(rf"^{start}( \(\w+\))? \| {re.escape(value)} \|", page, re.MULTILINE):
+            yield f"benchmark/constants/README.md: {name}: no row with {value}"
+
+
 CHECKS = [
     text_files,
     execute_bits,
@@ -307,6 +322,7 @@ CHECKS = [
     file_lengths,
     absolute_paths,
     package_info,
+    tuned_constants,
 ]
 
 
