@@ -38,6 +38,8 @@ PROGRAMS = {
     "bijective": Program("pipeline", ["--bijective", "--effort", "fast"],
                          ["boeing", "cactus", "couplingdown", "elephant", "elephant-with-holes", "elk", "holes",
                           "three_peaks", "triceratops"]),
+    "coarse_slits": Program("pipeline", ["--bijective", "--effort", "fast"],
+                            ["armadillo", "bull", "refined_elephant", "turbine"]),
     "bound": Program("pipeline", ["--max-distortion", "4.1"], SMALL),
     "bijective_bound": Program("pipeline", ["--bijective", "--max-distortion", "4.15", "--effort", "fast"],
                                ["cactus", "couplingdown", "handle"]),

@@ -295,7 +295,7 @@ def package_info(root):
 def tuned_constants(root):
     """each row of the table of constants marks a piece of code that occurs once; the page has the same rows"""
     folder = root / "benchmark/constants"
-    page = read(folder / "README.md")
+    page, names = read(folder / "README.md"), set()
     for row in csv.DictReader(io.StringIO(read(folder / "constants.csv"))):
         name, value = f"{row['file']}, {row['constant']}", re.search("@(.*?)@", row["code"])[1]
         if read(root / "include/CGAL" / row["file"]).count(row["code"].replace("@", "")) != 1:
@@ -303,6 +303,9 @@ def tuned_constants(root):
         start = re.escape(f"| `{Path(row['file']).name}` | {row['constant']}")
         if not re.search(rf"^{start}( \(\w+\))? \| {re.escape(value)} \|", page, re.MULTILINE):
             yield f"benchmark/constants/README.md: {name}: no row with {value}"
+        if row["constant"] in names:
+            yield f"benchmark/constants/constants.csv: {name}: another constant has this name"
+        names.add(row["constant"])
 
 
 CHECKS = [
