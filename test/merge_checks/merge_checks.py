@@ -5,8 +5,6 @@ usage: merge_checks.py SOURCE_FOLDER CHECK
 prints each violation, and exits with 1 if there is one.
 """
 
-import csv
-import io
 import re
 import sys
 from pathlib import Path
@@ -295,11 +293,16 @@ def package_info(root):
 def tuned_constants(root):
     """each row of the table of constants marks a piece of code that occurs once; the page has the same rows"""
     folder = root / "benchmark/constants"
+    sys.dont_write_bytecode = True
+    sys.path.insert(0, str(folder))
+    import varied_headers  # of the project that is checked
     page, names = read(folder / "README.md"), set()
-    for row in csv.DictReader(io.StringIO(read(folder / "constants.csv"))):
-        name, value = f"{row['file']}, {row['constant']}", re.search("@(.*?)@", row["code"])[1]
-        if read(root / "include/CGAL" / row["file"]).count(row["code"].replace("@", "")) != 1:
-            yield f"benchmark/constants/constants.csv: {name}: {row['code']} does not occur once"
+    for row in varied_headers.read_constants(folder / "constants.csv"):
+        name, value = f"{row['file']}, {row['constant']}", varied_headers.value(row)
+        try:
+            varied_headers.place(row, read(root / "include/CGAL" / row["file"]))
+        except SystemExit as problem:
+            yield str(problem)
         start = re.escape(f"| `{Path(row['file']).name}` | {row['constant']}")
         if not re.search(rf"^{start}( \(\w+\))? \| {re.escape(value)} \|", page, re.MULTILINE):
             yield f"benchmark/constants/README.md: {name}: no row with {value}"

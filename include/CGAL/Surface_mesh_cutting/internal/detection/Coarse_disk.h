@@ -36,7 +36,7 @@ public:
     : m_chart(std::move(chart)),
       m_disk(chart_points(fine.mesh, m_chart), m_chart.triangles(), m_chart.opposites()),
       m_coarse(m_disk, number_of_faces / 2, {}, context.parameters.linear_solvers->execution()),
-      m_problem{m_coarse.mesh, shapes_of(m_coarse.mesh),
+      m_problem{m_coarse.mesh, m_coarse.shapes(),
                 coarse_constraints(m_disk, constraints_of_disk(fine), m_coarse, {}), {}, Initial_cut(), false}
   {}
 
@@ -56,12 +56,6 @@ public:
   }
 
 private:
-  static std::vector<Rest_shape> shapes_of(const Indexed_mesh& mesh)
-  {
-    using namespace Surface_mesh_parameterization::internal;
-    return rest_shapes(mesh.triangles(), mesh.points(), minimal_coarse_height);
-  }
-
   Edge_constraints constraints_of_disk(const Problem& fine) const
   {
     Edge_constraints constraints = unconstrained(m_disk);

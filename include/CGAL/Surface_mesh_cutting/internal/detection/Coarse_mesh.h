@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_hierarchy.h>
 
 #include <set>
@@ -48,6 +49,13 @@ struct Coarse_mesh
     Chart_hierarchy::Stage stage = hierarchy.stage();
     mesh = Indexed_mesh(std::move(stage.points), stage.chart.triangles(), stage.chart.opposites());
     vertices = std::move(stage.vertices);
+  }
+
+  // Its triangles laid flat, none of them as thin as a line.
+  std::vector<Surface_mesh_parameterization::internal::Rest_shape> shapes() const
+  {
+    using namespace Surface_mesh_parameterization::internal;
+    return rest_shapes(mesh.triangles(), mesh.points(), minimal_coarse_height);
   }
 
   // The vertices that stand for these ones of the fine mesh, which were kept.

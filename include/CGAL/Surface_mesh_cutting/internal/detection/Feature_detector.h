@@ -127,8 +127,8 @@ private:
     else
       result.status = failure(m_control);
     if(m_problem.initial.is_given())
-      add(ends_and_forks(m_mesh, opening), result.features);
-    add(m_problem.terminals, result.features);
+      CGAL::internal::Graph_kernel::add_unique(ends_and_forks(m_mesh, opening), result.features);
+    CGAL::internal::Graph_kernel::add_unique(m_problem.terminals, result.features);
     result.chart = filter.map().state();
     result.trade_offs = filter.trade_offs();
   }
@@ -146,12 +146,6 @@ private:
     if(is_closed())
       for(int v : m_problem.terminals)
         candidates.push_back({v, std::numeric_limits<double>::infinity()});
-  }
-
-  static void add(const std::vector<int>& vertices, std::vector<int>& features)
-  {
-    features.insert(features.end(), vertices.begin(), vertices.end());
-    CGAL::internal::Graph_kernel::sort_unique(features);
   }
 
   // A surface as even as a sphere may have a single maximizer, or none where the map failed; a cut

@@ -135,9 +135,7 @@ private:
   // weights are minimized.
   void complete(Mesh_result& result) const
   {
-    std::vector<int>& features = result.features;
-    features.insert(features.end(), m_constraints.terminals.begin(), m_constraints.terminals.end());
-    CGAL::internal::Graph_kernel::sort_unique(features);
+    CGAL::internal::Graph_kernel::add_unique(m_constraints.terminals, result.features);
     if(!weights_are_lengths(m_mesh, m_constraints.edges))
       result.lower_bound = 0;
   }

@@ -92,8 +92,7 @@ public:
     if(!given.status)
       return results;
     std::vector<int> ends = ends_and_forks(m_problem.mesh, given.cut);
-    ends.insert(ends.end(), m_problem.terminals.begin(), m_problem.terminals.end());
-    CGAL::internal::Graph_kernel::sort_unique(ends);
+    CGAL::internal::Graph_kernel::add_unique(m_problem.terminals, ends);
     Refiner refiner(m_problem, m_context);
     if(!refiner.start(std::move(ends), given.cut))
       return results;

@@ -46,8 +46,7 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
     detected.status = context.control.is_stopped() ? failure(context.control) : Indexed_status();
   detected.number_of_candidates = filter.number_of_candidates();
   detected.features = coarse.lifted(filter.features());
-  detected.features.insert(detected.features.end(), fine.terminals.begin(), fine.terminals.end());
-  CGAL::internal::Graph_kernel::sort_unique(detected.features);
+  CGAL::internal::Graph_kernel::add_unique(fine.terminals, detected.features);
   detected.trade_offs = filter.trade_offs();
   return detected;
 }

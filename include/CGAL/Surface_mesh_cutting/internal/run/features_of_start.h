@@ -89,7 +89,6 @@ inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, c
 template <typename Find>
 Detected_features find_on_coarse_mesh(const Problem& fine, const Context& context, const Find& find)
 {
-  using namespace Surface_mesh_parameterization::internal;
   const Coarse_mesh coarse = [&]
   {
     const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
@@ -97,9 +96,8 @@ Detected_features find_on_coarse_mesh(const Problem& fine, const Context& contex
                        context.parameters.linear_solvers->execution());
   }();
   const std::vector<int> terminals = coarse.find(fine.terminals);
-  Problem problem{coarse.mesh, rest_shapes(coarse.mesh.triangles(), coarse.mesh.points(), minimal_coarse_height),
-                  coarse_constraints(fine.mesh, fine.constraints, coarse, terminals), terminals,
-                  Initial_cut(), fine.is_sphere};
+  Problem problem{coarse.mesh, coarse.shapes(), coarse_constraints(fine.mesh, fine.constraints, coarse, terminals),
+                  terminals, Initial_cut(), fine.is_sphere};
   Detected_features detected;
   if(!problem.is_sphere)
     detected.status = cut_handles_of(problem, context);

@@ -27,6 +27,14 @@ void sort_unique(std::vector<Value>& values)
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
+// Adds values, which may be there already; sorted, each once.
+template <typename Value>
+void add_unique(const std::vector<Value>& added, std::vector<Value>& values)
+{
+  values.insert(values.end(), added.begin(), added.end());
+  sort_unique(values);
+}
+
 } // namespace Graph_kernel
 } // namespace internal
 } // namespace CGAL
