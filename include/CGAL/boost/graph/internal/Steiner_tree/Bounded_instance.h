@@ -157,13 +157,14 @@ private:
       remove(is_removed, go_further);
   }
 
-  // Large graphs are not made anew for a few edges; then the dual solution serves the search, too.
+  // Graphs are not made anew for a few edges; then the dual solution serves the search, too.
   bool is_worthwhile(const std::vector<char>& is_removed) const
   {
-    constexpr int large_size = 100000;       // edges
-    constexpr double worthwhile_share = 0.2; // of them
-    return graph().number_of_edges() < large_size ||
-           double(std::count(is_removed.begin(), is_removed.end(), char(1))) >= worthwhile_share * graph().number_of_edges();
+    constexpr int large_size = 50000; // edges
+    constexpr double worthwhile_share = 0.2, worthwhile_share_of_small = 0.02;
+    const double size = graph().number_of_edges();
+    return double(std::count(is_removed.begin(), is_removed.end(), char(1))) >=
+           (size < large_size ? worthwhile_share_of_small : worthwhile_share) * size;
   }
 
   void remove(const std::vector<char>& is_removed, const Go_further& go_further)

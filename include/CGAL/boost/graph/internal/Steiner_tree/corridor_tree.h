@@ -78,7 +78,7 @@ template <typename ConcurrencyTag>
 Tree corridor_tree(const Csr_graph& graph, const std::vector<int>& terminals, Tree tree,
                           std::size_t maximum_number_of_states, const Go_further& go_further)
 {
-  constexpr int width = 16;           // vertices per edge of the tree
+  constexpr int width = 12;           // vertices per edge of the tree
   constexpr double least_gain = 2e-3; // of the length, for one more corridor
   constexpr int maximum_number_of_corridors = 5;
   std::vector<int> middle = coarse_tree<ConcurrencyTag>(graph, terminals, maximum_number_of_states, go_further);
