@@ -157,7 +157,7 @@ void test_regions(const Test_surface& surface, bool keeps_region)
   for(const Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL})
   {
     Chart_hierarchy hierarchy(surface.chart, surface.points, keeps_region, execution);
-    const int size = hierarchy.coarsen(250, Coarsening::IN_REGIONS);
+    const int size = hierarchy.coarsen(250, 0);
     assert(size <= 300 && size == hierarchy.number_of_vertices());
     std::vector<Eigen::Vector2d>& uv = maps[execution == Execution::PARALLEL];
     uv.assign(n, Eigen::Vector2d::Zero());

@@ -38,14 +38,15 @@ struct Coarse_mesh
               Surface_mesh_parameterization::internal::Execution execution)
   {
     using Surface_mesh_parameterization::internal::Chart_hierarchy;
-    using Surface_mesh_parameterization::internal::Coarsening;
     const Corner_table chart(fine.triangles(), fine.opposites(), fine.number_of_vertices());
     constexpr bool keeps_region = false;
     Chart_hierarchy hierarchy(chart, fine.points(), keeps_region, execution);
     std::vector<char> is_kept(fine.number_of_vertices(), 0);
     for(int v : kept)
       is_kept[v] = 1;
-    hierarchy.coarsen(number_of_vertices + int(kept.size()), Coarsening::BY_ERROR, is_kept);
+    constexpr int enough = 12; // times as many vertices as are wanted: errors decide which of them stay
+    const int size = number_of_vertices + int(kept.size());
+    hierarchy.coarsen(size, enough * size, is_kept);
     Chart_hierarchy::Stage stage = hierarchy.stage();
     mesh = Indexed_mesh(std::move(stage.points), stage.chart.triangles(), stage.chart.opposites());
     vertices = std::move(stage.vertices);

@@ -24,6 +24,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -31,11 +32,6 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-
-// Where vertices go first. BY_ERROR: where that changes the shape least, for a coarse stage that stands for the whole.
-// IN_REGIONS: at first everywhere alike, in the regions of a large chart at the same time, in a fraction of the time, for
-// stages that only lead to the next one.
-enum class Coarsening { BY_ERROR, IN_REGIONS };
 
 // A chart at all resolutions between a few triangles and its own: half-edge collapses (border only
 // along the border), undone one after the other with the vertex placed inside the kernel of its
@@ -55,9 +51,10 @@ public:
       m_number_of_vertices += m_chart.is_used(v);
   }
 
-  // Collapses down to about `size` vertices; those with `is_kept` (empty: none) stay. Call once. Returns the number of
-  // vertices that are left.
-  int coarsen(int size, Coarsening coarsening = Coarsening::BY_ERROR, const std::vector<char>& is_kept = {})
+  // Collapses down to about `size` vertices; those with `is_kept` (empty: none) stay. Vertices go where that changes the
+  // shape least. A large chart is first worked on in regions, down to `size_in_regions`: everywhere alike, but at the same
+  // time and in a fraction of it. Call once. Returns the number of vertices that are left.
+  int coarsen(int size, int size_in_regions = (std::numeric_limits<int>::max)(), const std::vector<char>& is_kept = {})
   {
     std::vector<char> may_go(m_points.size());
     for(int v = 0; v < int(m_points.size()); ++v)
@@ -65,17 +62,17 @@ public:
     std::vector<Quadric> quadrics = vertex_quadrics(m_chart, m_points, m_execution);
     std::vector<char> is_stale(m_points.size(), 0);
     Chart_simplification simplification(m_chart, m_points, m_keeps_region, quadrics, is_stale);
-    std::vector<char> may_go_first = may_go;
     if(m_keeps_region)
+    {
+      std::vector<char> may_go_first = may_go;
       keep_border(may_go_first);
-    const int first_size = (std::max)(size, int(least_share * m_number_of_vertices));
-    if(coarsening == Coarsening::IN_REGIONS)
-      coarsen_regions(size, simplification, may_go_first);
-    if(m_keeps_region)
-      simplification.reduce_by(m_number_of_vertices - first_size, marked(may_go_first), m_log, m_execution);
-    exclude_collapsed(may_go);
-    simplification.reduce_by(m_number_of_vertices - m_log.size() - size, marked(may_go), m_log, m_execution);
-    m_number_of_vertices -= m_log.size();
+      const int first_size = (std::max)(size, int(least_share * m_number_of_vertices));
+      coarsen_in_regions((std::max)(first_size, size_in_regions), simplification, may_go_first);
+      coarsen_whole(first_size, simplification, may_go_first);
+      exclude_collapsed(may_go);
+    }
+    coarsen_in_regions((std::max)(size, size_in_regions), simplification, may_go);
+    coarsen_whole(size, simplification, may_go);
     return m_number_of_vertices;
   }
 
@@ -83,12 +80,13 @@ public:
   // flips remain.
   bool collapse_flips(const std::vector<Eigen::Vector2d>& uv)
   {
-    const bool is_flip_free = Flip_collapse(m_chart, uv, m_log)();
-    m_number_of_vertices -= m_log.size();
+    Phase phase(1);
+    const bool is_flip_free = Flip_collapse(m_chart, uv, phase.front())();
+    add(std::move(phase));
     return is_flip_free;
   }
 
-  bool is_complete() const { return m_log.size() == 0 && number_of_collapses_in_regions() == 0; }
+  bool is_complete() const { return m_phases.empty(); }
   int number_of_vertices() const { return m_number_of_vertices; }
 
   // The current stage as a chart of its own.
@@ -142,17 +140,18 @@ public:
   template <typename Energy>
   bool refine_to(int size, std::vector<Eigen::Vector2d>& uv)
   {
-    Refinement<Energy> whole(*this, uv);
-    const bool is_extended = whole.undo((std::max)(0, m_log.size() - (std::max)(0, size - m_number_of_vertices)), m_log);
-    m_number_of_vertices += whole.number_of_placed();
-    if(!is_extended)
-      return false;
-    std::vector<Refinement<Energy> > regions(m_logs_of_regions.size(), Refinement<Energy>(*this, uv));
-    if(m_number_of_vertices < size && !undo_in_regions(size, regions))
-      return false;
+    std::vector<std::vector<Refinement<Energy> > > undone; // of phases
+    while(m_number_of_vertices < size && !is_complete())
+    {
+      undone.emplace_back(m_phases.back().size(), Refinement<Energy>(*this, uv));
+      if(!undo_last_phase(size, undone.back()))
+        return false;
+    }
+    constexpr int number_of_rounds = 2; // they take out what would hold up the global solve
     const std::vector<Rest_shape> shapes = shapes_of_triangles(); // each is needed for several stars and rounds
-    whole.improve(shapes);
-    execute(m_execution, int(regions.size()), [&](int r) { regions[r].improve(shapes); });
+    for(int round = 0; round < number_of_rounds; ++round)
+      for(std::vector<Refinement<Energy> >& regions : undone)
+        execute(m_execution, int(regions.size()), [&](int r) { regions[r].improve(shapes); });
     return true;
   }
 
@@ -163,8 +162,6 @@ private:
   {
   public:
     Refinement(Chart_hierarchy& hierarchy, std::vector<Eigen::Vector2d>& uv) : m_hierarchy(&hierarchy), m_uv(&uv) {}
-
-    int number_of_placed() const { return int(m_placed.size()); }
 
     // Until so many collapses are left.
     bool undo(int number_left, Collapse_log& log)
@@ -181,19 +178,16 @@ private:
       return true;
     }
 
-    // The stars of vertices have changed since they were placed: further rounds take out what would hold up the
-    // global solve.
+    // Places the vertices once more: their stars have changed.
     void improve(const std::vector<Rest_shape>& shapes)
     {
-      constexpr int number_of_rounds = 2;
       const auto shape_from = [&shapes](int h) { return rotated(shapes[h / 3], h % 3); };
-      for(int round = 0; round < number_of_rounds; ++round)
-        for(int v : m_placed)
-          if(!m_hierarchy->m_keeps_region || !m_hierarchy->m_chart.is_on_border(v))
-          {
-            m_hierarchy->collect_star(v, *m_uv, shape_from, m_fan, m_star);
-            Star_placement<Energy>::improve(m_star, (*m_uv)[v]);
-          }
+      for(int v : m_placed)
+        if(!m_hierarchy->m_keeps_region || !m_hierarchy->m_chart.is_on_border(v))
+        {
+          m_hierarchy->collect_star(v, *m_uv, shape_from, m_fan, m_star);
+          Star_placement<Energy>::improve(m_star, (*m_uv)[v]);
+        }
     }
 
   private:
@@ -203,10 +197,21 @@ private:
     std::vector<Star_triangle> m_star;
   };
 
-  int number_of_collapses_in_regions() const
+  // Collapses of the regions, or of the whole if there is one log.
+  using Phase = std::vector<Collapse_log>;
+
+  static int number_of_collapses(const Phase& phase)
   {
-    return std::accumulate(m_logs_of_regions.begin(), m_logs_of_regions.end(), 0,
+    return std::accumulate(phase.begin(), phase.end(), 0,
                            [](int sum, const Collapse_log& log) { return sum + log.size(); });
+  }
+
+  void add(Phase phase)
+  {
+    const int number = number_of_collapses(phase);
+    m_number_of_vertices -= number;
+    if(number > 0)
+      m_phases.push_back(std::move(phase));
   }
 
   static std::vector<int> marked(const std::vector<char>& marks)
@@ -242,44 +247,67 @@ private:
 
   void exclude_collapsed(std::vector<char>& may_go) const
   {
-    for(const Collapse_log& log : m_logs_of_regions)
-      for(const Collapse_log::Collapse& c : log.collapses)
-        may_go[c.vertex] = 0;
-    for(const Collapse_log::Collapse& c : m_log.collapses)
-      may_go[c.vertex] = 0;
+    for(const Phase& phase : m_phases)
+      for(const Collapse_log& log : phase)
+        for(const Collapse_log::Collapse& c : log.collapses)
+          may_go[c.vertex] = 0;
   }
 
-  // Each region to the same share of its vertices; those that are gone may not go any more.
-  void coarsen_regions(int size, const Chart_simplification& simplification, std::vector<char>& may_go)
+  // Down to about `size` vertices, by a certain share at a time: what was at the edge of a region is inside one then.
+  void coarsen_in_regions(int size, const Chart_simplification& simplification, std::vector<char>& may_go)
   {
-    const double share = (std::max)(least_share, double(size) / m_number_of_vertices);
-    const Chart_regions regions(m_chart.triangles(), m_points, m_execution);
-    m_logs_of_regions.resize(regions.size());
+    constexpr double about = 1.1, least_success = 0.5; // of the size, and of what should go
+    for(int wanted = 1, gone = 1; m_number_of_vertices > about * size && gone > least_success * wanted;)
+    {
+      const int former = m_number_of_vertices;
+      wanted = former - (std::max)(size, int(least_share * former));
+      coarsen_regions(wanted, simplification, may_go);
+      gone = former - m_number_of_vertices;
+    }
+  }
+
+  // Takes this number of vertices, if the chart is large: from each region the same share. Those that are gone may not go
+  // any more.
+  void coarsen_regions(int number, const Chart_simplification& simplification, std::vector<char>& may_go)
+  {
+    const double share = double(number) / m_number_of_vertices;
+    const Chart_regions regions(m_chart, m_points, m_execution);
+    Phase phase(regions.size());
     execute(m_execution, regions.size(), [&](int r)
     {
       std::vector<int> vertices = regions.inner_vertices(r);
       vertices.erase(std::remove_if(vertices.begin(), vertices.end(), [&](int v) { return !may_go[v]; }), vertices.end());
-      Chart_simplification(simplification).reduce_by(int((1 - share) * regions.number_of_vertices(r)), vertices,
-                                                     m_logs_of_regions[r], Execution::SEQUENTIAL);
-      for(const Collapse_log::Collapse& c : m_logs_of_regions[r].collapses)
+      Chart_simplification(simplification).reduce_by(int(share * regions.number_of_vertices(r)), vertices, phase[r],
+                                                     Execution::SEQUENTIAL);
+      for(const Collapse_log::Collapse& c : phase[r].collapses)
         may_go[c.vertex] = 0;
     });
-    m_number_of_vertices -= number_of_collapses_in_regions();
+    add(std::move(phase));
   }
 
-  // In all regions, the same share of what is left to undo.
-  template <typename Energy>
-  bool undo_in_regions(int size, std::vector<Refinement<Energy> >& regions)
+  void coarsen_whole(int size, Chart_simplification& simplification, const std::vector<char>& may_go)
   {
-    const int left = number_of_collapses_in_regions();
-    const double share_left = (std::max)(0., 1 - double(size - m_number_of_vertices) / left);
+    Phase phase(1);
+    simplification.reduce_by(m_number_of_vertices - size, marked(may_go), phase.front(), m_execution);
+    add(std::move(phase));
+  }
+
+  // Until `size` vertices or a few more are there, in all regions the same share of what is left to undo.
+  template <typename Energy>
+  bool undo_last_phase(int size, std::vector<Refinement<Energy> >& regions)
+  {
+    Phase& phase = m_phases.back();
+    const int number = number_of_collapses(phase);
+    const int number_left = (std::max)(0, number - (size - m_number_of_vertices));
     std::vector<char> is_extended(regions.size(), 1);
     execute(m_execution, int(regions.size()), [&](int r)
     {
-      Collapse_log& log = m_logs_of_regions[r];
-      is_extended[r] = regions[r].undo(int(share_left * log.size()), log);
+      const long long scaled = static_cast<long long>(number_left) * phase[r].size();
+      is_extended[r] = regions[r].undo(int(scaled / number), phase[r]);
     });
-    m_number_of_vertices += left - number_of_collapses_in_regions();
+    m_number_of_vertices += number - number_of_collapses(phase);
+    if(number_of_collapses(phase) == 0)
+      m_phases.pop_back();
     return std::find(is_extended.begin(), is_extended.end(), char(0)) == is_extended.end();
   }
 
@@ -331,8 +359,7 @@ private:
   Execution m_execution;
   double m_minimal_edge;
   int m_number_of_vertices = 0;
-  Collapse_log m_log; // of what came after the regions
-  std::vector<Collapse_log> m_logs_of_regions;
+  std::vector<Phase> m_phases; // none without collapses
 };
 
 } // namespace internal

@@ -16,12 +16,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapsible_chart.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -34,19 +33,17 @@ namespace internal {
 class Chart_regions
 {
 public:
-  // `points`: of the chart's vertices.
-  Chart_regions(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& points, Execution execution)
+  // Of the chart as far as it is not collapsed. `points`: of all its vertices.
+  Chart_regions(const Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points, Execution execution)
   {
     constexpr int largest = 8192; // vertices: with what belongs to them, as much as a core's own cache holds
-    const int n = int(points.size());
-    if(n <= 2 * largest)
+    std::vector<int> vertices = chart.vertices_in_use();
+    if(int(vertices.size()) <= 2 * largest)
       return;
-    std::vector<int> vertices(n);
-    std::iota(vertices.begin(), vertices.end(), 0);
-    m_starts = {0, n};
+    m_starts = {0, int(vertices.size())};
     while(m_starts[1] - m_starts[0] > largest)
       halve(points, execution, vertices);
-    keep_inner(triangles, execution, vertices);
+    keep_inner(chart, execution, vertices, int(points.size()));
   }
 
   int size() const { return int(m_inner.size()); }
@@ -78,18 +75,22 @@ private:
     m_starts = std::move(starts);
   }
 
-  void keep_inner(const std::vector<Triangle>& triangles, Execution execution, const std::vector<int>& vertices)
+  void keep_inner(const Collapsible_chart& chart, Execution execution, const std::vector<int>& vertices,
+                  int number_of_all_vertices)
   {
     const int number = int(m_starts.size()) - 1;
-    std::vector<int> region(vertices.size());
+    std::vector<int> region(number_of_all_vertices, -1);
     for(int r = 0; r < number; ++r)
       for(int i = m_starts[r]; i < m_starts[r + 1]; ++i)
         region[vertices[i]] = r;
-    std::vector<char> is_inner(vertices.size(), 1);
-    for(const Triangle& t : triangles)
-      if(region[t[0]] != region[t[1]] || region[t[0]] != region[t[2]])
+    std::vector<char> is_inner(number_of_all_vertices, 1);
+    for(int f = 0; f < int(chart.triangles().size()); ++f)
+    {
+      const Triangle& t = chart.triangles()[f];
+      if(!chart.is_dormant(f) && (region[t[0]] != region[t[1]] || region[t[0]] != region[t[2]]))
         for(int v : t)
           is_inner[v] = 0;
+    }
     m_inner.resize(number);
     execute(execution, number, [&](int r)
     {

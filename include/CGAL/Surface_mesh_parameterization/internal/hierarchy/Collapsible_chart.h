@@ -50,6 +50,21 @@ public:
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   const std::vector<int>& opposites() const { return m_opposites; }
 
+  // The vertices of triangles that are not dormant, in ascending order.
+  std::vector<int> vertices_in_use() const
+  {
+    std::vector<char> is_in_use(m_halfedges.size(), 0);
+    for(int t = 0; t < int(m_triangles.size()); ++t)
+      if(!is_dormant(t))
+        for(int v : m_triangles[t])
+          is_in_use[v] = 1;
+    std::vector<int> vertices;
+    for(int v = 0; v < int(is_in_use.size()); ++v)
+      if(is_in_use[v])
+        vertices.push_back(v);
+    return vertices;
+  }
+
   // The halfedges that leave `v`, counterclockwise, a border vertex's border halfedge first.
   void fan(int v, std::vector<int>& halfedges) const
   {
