@@ -31,11 +31,16 @@ using Adapter = Mesh_adapter<Mesh, typename boost::property_map<Mesh, CGAL::vert
 template <typename Mesh>
 Adapter<Mesh> adapt(const Mesh& mesh) { return Adapter<Mesh>(mesh, get(CGAL::vertex_point, mesh)); }
 
+// Whether the mesh is refused, and what the warnings are if it is not.
 template <typename Mesh>
 Status<Mesh> check(const Mesh& mesh)
 {
   const Adapter<Mesh> adapter = adapt(mesh);
-  return adapter.translate(adapter.status());
+  Indexed_status status = adapter.status();
+  assert(status.warnings.empty());
+  if(status)
+    status.warnings = adapter.warnings();
+  return adapter.translate(status);
 }
 
 // Cuts and UVs to the caller's maps and back.
@@ -180,7 +185,7 @@ void test_type()
       soup.scale(std::ldexp(1., exponent));
       const Mesh scaled_mesh = test::make_mesh<Mesh>(soup);
       const Adapter<Mesh> scaled = adapt(scaled_mesh);
-      const Status<Mesh> status = scaled.translate(scaled.status());
+      const Status<Mesh> status = check(scaled_mesh);
       assert(status && status.warnings.size() == 1 && status.message.empty()); // extreme coordinates
       assert(scaled.mesh().points() == adapter.mesh().points());
       assert(scaled.to_original_scale(1) == std::ldexp(adapter.to_original_scale(1), exponent));

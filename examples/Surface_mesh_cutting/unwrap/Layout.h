@@ -40,7 +40,6 @@ struct Layout
 
   std::vector<Edge> cut; // between vertices
   std::vector<int> feature_points; // vertices
-  std::vector<double> distortions; // per triangle: symmetric Dirichlet energy, 4 is ideal
   double bounding_box_diagonal = 0;
   double uv_scale = 1; // UV units per unit of length
 };

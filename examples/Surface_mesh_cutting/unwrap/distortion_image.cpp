@@ -1,7 +1,10 @@
 #include "distortion_image.h"
 
+#include "layout_energies.h"
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -63,6 +66,7 @@ double position_on_scale(double energy)
 Image draw_distortion(const Layout& layout, const Point& low, double pixel, int width, int height)
 {
   Image image(width, height, make_palette());
+  const std::vector<double> energies = layout_energies(layout);
   for(std::size_t f = 0; f < layout.uv_triangles.size(); ++f)
   {
     std::array<Point, 3> corners;
@@ -71,7 +75,7 @@ Image draw_distortion(const Layout& layout, const Point& low, double pixel, int 
       const Point& uv = layout.uv_points[std::size_t(layout.uv_triangles[f][k])];
       corners[k] = {{(uv[0] - low[0]) / pixel, height - (uv[1] - low[1]) / pixel}};
     }
-    const double position = position_on_scale(layout.distortions[f]);
+    const double position = position_on_scale(energies[f]);
     fill_triangle(corners, std::uint8_t(1 + std::lround(position * (number_of_shades - 1))), image);
   }
   return image;

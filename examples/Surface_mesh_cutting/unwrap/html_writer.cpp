@@ -2,6 +2,7 @@
 
 #include "base64.h"
 #include "file_bytes.h"
+#include "layout_energies.h"
 #include "outcome.h"
 #include "page_parts.h"
 
@@ -69,7 +70,7 @@ std::string to_buffers(const Layout& layout)
       coordinate /= layout.bounding_box_diagonal;
   return to_buffer<float>("points", points) + to_buffer<float>("uvs", layout.uv_points)
        + to_buffer<std::uint32_t>("triangles", layout.triangles)
-       + to_buffer<std::uint32_t>("uv-triangles", layout.uv_triangles) + to_column<float>("energies", layout.distortions)
+       + to_buffer<std::uint32_t>("uv-triangles", layout.uv_triangles) + to_column<float>("energies", layout_energies(layout))
        + to_buffer<std::uint32_t>("cut", layout.cut) + to_buffer<std::uint32_t>("borders", layout.chart_borders)
        + to_column<std::uint32_t>("features", layout.feature_points);
 }

@@ -4,7 +4,6 @@
 #include "vertex_colors.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <array>
@@ -13,7 +12,6 @@
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
-namespace SMP = CGAL::Surface_mesh_parameterization;
 using Point_map = Mesh::Property_map<Vertex, Kernel::Point_3>;
 
 // Numbers the UV vertices in the order in which the polygons meet them.
@@ -119,27 +117,6 @@ private:
   Layout m_layout;
 };
 
-// Of each triangle, at the scale of the surface.
-std::vector<double> distortions(const Layout& layout)
-{
-  using SMP::internal::Symmetric_Dirichlet_energy;
-  SMP::internal::Corners corners;
-  for(std::size_t t = 0; t < layout.triangles.size(); ++t)
-  {
-    const int first = int(3 * t);
-    corners.triangles.push_back({{first, first + 1, first + 2}});
-    for(std::size_t k = 0; k < 3; ++k)
-    {
-      const std::array<double, 3>& p = layout.points[std::size_t(layout.triangles[t][k])];
-      const std::array<double, 2>& uv = layout.uv_points[std::size_t(layout.uv_triangles[t][k])];
-      corners.points.emplace_back(p[0], p[1], p[2]);
-      corners.uv.emplace_back(uv[0] / layout.uv_scale, uv[1] / layout.uv_scale);
-    }
-  }
-  corners.normalize();
-  return SMP::internal::face_energies<Symmetric_Dirichlet_energy>(corners.shapes(), corners.triangles, corners.uv);
-}
-
 } // namespace
 
 Layout layout_without_uvs(const Polygon_soup& soup)
@@ -161,6 +138,5 @@ Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Pol
 {
   Layout layout = Layout_builder(surface, is_cut, uvs, soup).build();
   layout.uv_scale = uv_scale;
-  layout.distortions = distortions(layout);
   return layout;
 }

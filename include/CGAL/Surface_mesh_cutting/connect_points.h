@@ -158,6 +158,7 @@ connect_points(const TriangleMesh& tmesh, const VertexRange& points, EdgeIsCutMa
   Connection_result<TriangleMesh> result;
   if(status)
   {
+    status.warnings = adapter.warnings();
     const internal::Indexed_mesh& mesh = adapter.mesh();
     const internal::Connected_cut connected = internal::connect_indexed_points<ConcurrencyTag>(
       mesh, constraints, internal::read_vertices(tmesh, adapter, points), parameters, control);

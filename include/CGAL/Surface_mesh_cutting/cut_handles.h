@@ -127,6 +127,7 @@ Handles_result<TriangleMesh> cut_handles(const TriangleMesh& tmesh, EdgeIsCutMap
     status.finding = internal::read_edge_constraints(adapter, np, constraints).finding;
   if(status)
   {
+    status.warnings = adapter.warnings();
     handles = internal::cut_handles_of_components(adapter.mesh(), constraints, control);
     status.finding = handles.status.finding;
   }

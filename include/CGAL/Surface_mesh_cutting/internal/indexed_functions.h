@@ -43,8 +43,11 @@ namespace internal {
 // the compiled library holds. The folder indexed_functions/ defines them, one header each; without the library, a public
 // function includes the one that it calls.
 
-// Refuses a mesh whose halfedges fit together but that is not manifold; warns of what is unusual.
+// Refuses a mesh whose halfedges fit together but that is not manifold.
 CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh);
+
+// What is unusual about a mesh, though handled: why a result may look odd, or take long.
+CGAL_SURFACE_MESH_CUTTING_INLINE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh);
 
 // The polygons of a surface as triangles. `opposites` holds the side across each side, or -1 on a border; no polygon has a
 // vertex twice. Linear in the number of corners on usual polygons.

@@ -16,7 +16,6 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/mesh_checks.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/mesh_warnings.h>
 
 #include <utility>
 #include <vector>
@@ -35,10 +34,7 @@ CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& m
   if(!found.empty())
     return Indexed_status(Status_code::NON_MANIFOLD, "duplicate faces",
                           Element_kind::FACE, std::move(found));
-
-  Indexed_status status;
-  status.warnings = mesh_warnings(mesh);
-  return status;
+  return Indexed_status();
 }
 
 } // namespace internal

@@ -44,8 +44,11 @@ namespace internal {
 class Polygon_adapter
 {
 public:
-  // Why the surface is refused, or the warnings about it. The indexed mesh exists only where this is OK.
+  // Why the surface is refused. The indexed mesh exists only where this is OK.
   const Indexed_status& status() const { return m_status; }
+  // What is unusual about it, though handled. O(n log n).
+  CGAL_SURFACE_MESH_CUTTING_INLINE
+  std::vector<Finding> warnings() const;
   const Indexed_mesh& mesh() const { return m_mesh; }
 
   // The caller's surface is larger by 2 to this power.

@@ -32,6 +32,7 @@
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/mesh_warnings.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/triangulate_polygons.h>
 #endif
 
@@ -69,10 +70,17 @@ void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polyg
   m_polygons = std::move(triangulation.polygons);
   m_mesh = Indexed_mesh(std::move(points), std::move(triangulation.triangles), std::move(triangulation.opposites));
   m_status = check_mesh(m_mesh);
+}
+
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::vector<Finding> Polygon_adapter::warnings() const
+{
   constexpr int extreme = 332; // 1e100
-  if(m_status && std::abs(m_exponent) > extreme)
-    m_status.warnings.push_back(Finding{Status_code::OK, "extreme coordinates, which are rescaled internally",
-                                        Element_kind::NONE, {}});
+  std::vector<Finding> warnings = mesh_warnings(m_mesh);
+  if(std::abs(m_exponent) > extreme)
+    warnings.push_back(Finding{Status_code::OK, "extreme coordinates, which are rescaled internally",
+                               Element_kind::NONE, {}});
+  return warnings;
 }
 
 CGAL_SURFACE_MESH_CUTTING_INLINE

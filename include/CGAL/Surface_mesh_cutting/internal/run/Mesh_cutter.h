@@ -43,6 +43,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::Map_measures;
+using Surface_mesh_parameterization::internal::execute_both;
 
 // Runs the method on each component that the mandatory edges leave and puts the parts together. What
 // is mandatory is opened first: it is border from then on, which the connection takes for connected.
@@ -59,15 +60,19 @@ public:
   {
     Mesh_result result;
     result.diagonal = bounding_box_diagonal(m_mesh);
-    describe_topology(result);
     result.status = check_constraints();
+    const Cut& mandatory = m_constraints.edges.mandatory;
+    std::vector<Indexed_component> components;
+    execute_both(execution, [&] { describe_topology(result); }, [&]
+    {
+      if(result.status)
+        components = split_along(m_mesh, mandatory);
+    });
     if(!result.status)
       return result;
-    const Cut& mandatory = m_constraints.edges.mandatory;
     result.cut = mandatory;
     result.length = result.lower_bound = cut_length(m_mesh, mandatory);
     result.cost = cut_cost(m_constraints.edges, mandatory);
-    const std::vector<Indexed_component> components = split_along(m_mesh, mandatory);
     if(output == Output_kind::MAP)
       result.status = check_extents(components);
     if(!result.status)
@@ -303,12 +308,14 @@ private:
     const double scale = measures.best_scale(result.uv);
     for(Eigen::Vector2d& u : result.uv)
       u *= scale;
-    Certified_map map = certified_map(result.chart, result.uv, do_bijective, m_round);
+    Certified_map map;
+    Indexed_status disks;
+    execute_both(execution, [&] { disks = check_disks(result.chart); },
+                 [&] { map = certified_map(result.chart, result.uv, do_bijective, m_round); });
     result.uv = std::move(map.uv);
     result.flips = map.certificate.flips;
     if(do_bijective)
       result.overlaps = map.certificate.overlaps();
-    const Indexed_status disks = check_disks(result.chart);
     result.has_result = disks && map.certificate;
     if(!disks)
       result.status.finding = disks.finding;
@@ -360,6 +367,9 @@ private:
         faces.push_back(f);
     return faces;
   }
+
+  static constexpr Surface_mesh_parameterization::internal::Execution execution
+    = Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>();
 
   const Indexed_mesh& m_mesh;
   const Round m_round;

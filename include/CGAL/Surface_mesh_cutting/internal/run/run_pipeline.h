@@ -134,8 +134,13 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
     status.finding = read_constraints(adapter, np, constraints).finding;
   if(status)
   {
-    const Indexed_status found = run_method<ConcurrencyTag, UV, Result, Adapter>(
-      adapter, output, write, constraints, Context{parameters, control, clock}, result);
+    Indexed_status found;
+    const auto run = [&]
+    {
+      found = run_method<ConcurrencyTag, UV, Result, Adapter>(
+        adapter, output, write, constraints, Context{parameters, control, clock}, result);
+    };
+    execute_both(execution_of<ConcurrencyTag>(), run, [&] { status.warnings = adapter.warnings(); });
     status.finding = found.finding;
     status.warnings.insert(status.warnings.end(), found.warnings.begin(), found.warnings.end());
   }

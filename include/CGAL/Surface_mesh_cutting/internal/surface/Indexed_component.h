@@ -186,6 +186,8 @@ inline std::vector<Indexed_component> split_into_components(Indexed_mesh whole)
 // O(n log n).
 inline std::vector<Indexed_component> split_along(const Indexed_mesh& mesh, const Cut& cut)
 {
+  if(std::find(cut.begin(), cut.end(), char(1)) == cut.end())
+    return split_into_components(mesh);
   const Corner_table chart = make_chart(mesh, cut);
   std::vector<Point> points;
   for(int v : chart.origins())

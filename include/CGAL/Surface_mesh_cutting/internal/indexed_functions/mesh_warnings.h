@@ -9,13 +9,12 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_MESH_WARNINGS_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_MESH_WARNINGS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_MESH_WARNINGS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_MESH_WARNINGS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
-#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/parts_inside_out.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
@@ -84,8 +83,7 @@ inline std::vector<int> coincident_vertices(const Indexed_mesh& mesh)
   return vertices;
 }
 
-// What is unusual about a mesh, though handled: why a result may look odd, or take long.
-inline std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh)
+CGAL_SURFACE_MESH_CUTTING_INLINE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh)
 {
   constexpr int many_neighbors = 1000;
   std::vector<Finding> warnings;
@@ -118,4 +116,4 @@ inline std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh)
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_MESH_WARNINGS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INDEXED_FUNCTIONS_MESH_WARNINGS_H
