@@ -253,16 +253,16 @@ private:
           may_go[c.vertex] = 0;
   }
 
-  // Down to about `size` vertices, by a certain share at a time: what was at the edge of a region is inside one then.
+  // Down to about `size` vertices, by a certain share at a time: the next regions are larger, so that most of what was at
+  // the edge of one is inside then.
   void coarsen_in_regions(int size, const Chart_simplification& simplification, std::vector<char>& may_go)
   {
     constexpr double about = 1.1, least_success = 0.5; // of the size, and of what should go
-    for(int wanted = 1, gone = 1; m_number_of_vertices > about * size && gone > least_success * wanted;)
+    for(bool goes_on = true; goes_on && m_number_of_vertices > about * size;)
     {
-      const int former = m_number_of_vertices;
-      wanted = former - (std::max)(size, int(least_share * former));
+      const int former = m_number_of_vertices, wanted = former - (std::max)(size, int(least_share * former));
       coarsen_regions(wanted, simplification, may_go);
-      gone = former - m_number_of_vertices;
+      goes_on = former - m_number_of_vertices > least_success * wanted;
     }
   }
 
