@@ -45,6 +45,7 @@ PROGRAMS = {
                                ["cactus", "couplingdown", "handle"]),
     "fast_bound": Program("pipeline", ["--max-distortion", "4.1", "--effort", "fast"], SMALL),
     "coarse_bound": Program("pipeline", ["--max-distortion", "4.05", "--effort", "fast"], ["fandisk"]),
+    "coarser_bound": Program("pipeline", ["--max-distortion", "4.1"], ["dino", "fandisk", "femur"]),
     "room": Program("pipeline", ["--bijective", "--max-distortion", "4.1"],
                     ["cactus", "camel", "couplingdown", "elk", "three_peaks", "triceratops"]),
     "large": Program("pipeline", ["--effort", "fast"], ["bunny00", "refined_elephant"]),

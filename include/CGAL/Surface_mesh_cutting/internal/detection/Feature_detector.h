@@ -39,6 +39,9 @@ struct Detected_features
   Open_chart chart;          // opened along the paths that led to them; empty if found on a coarser version
   bool is_refined = false;   // the chart, along a cut through the features
   std::vector<Trade_off> trade_offs;
+  // Of the cut through the features, where it was refined.
+  double cost = std::numeric_limits<double>::infinity();
+  double energy = std::numeric_limits<double>::infinity();
   // Whether their map has so much distortion that no cut seems to lead to a useful one.
   bool is_hopeless = false;
   // The energy above which the cut through the features is worth a repair.

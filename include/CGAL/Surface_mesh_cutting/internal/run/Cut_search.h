@@ -106,9 +106,7 @@ private:
     const Context context{parameters, m_control, m_context.clock};
     if(place == 0 || !is_coarsened(m_problem, parameters)) // one start at least sees all details
       return refined_features<ConcurrencyTag>(m_problem, start, context);
-    Detected_features detected
-      = find_on_coarse_mesh(m_problem, context, [start](const Problem& coarse, const Context& c)
-                            { return refined_features<ConcurrencyTag>(coarse, start, c); });
+    Detected_features detected = coarse_features<ConcurrencyTag>(m_problem, start, context);
     detected.trade_offs.clear(); // so coarse a version tells too little about the surface
     return detected;
   }

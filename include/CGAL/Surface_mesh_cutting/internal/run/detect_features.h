@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_disk.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Local_filter.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
 
@@ -51,6 +52,29 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
   return detected;
 }
 
+// With a bound, one start in about ten leads to a cut far longer than those of others. A second start on a still coarser
+// version is so unlike the first that hardly ever both do, and takes little time. Cuts of so coarse a version are longer:
+// the second one takes the place of the first only where that is bad.
+template <typename ConcurrencyTag>
+Detected_features cheaper_features_of_two_starts(const Problem& problem, int first_start, const Context& context)
+{
+  constexpr double relative_size = 0.5; // of the second version, in faces
+  Cutting_parameters still_coarser = context.parameters;
+  still_coarser.coarse_number_of_faces = int(relative_size * still_coarser.coarse_number_of_faces);
+  Detected_features found[2];
+  for_each_index_in_isolation<ConcurrencyTag>(2, [&](int i)
+  {
+    const Cutting_parameters& parameters = i == 0 ? context.parameters : still_coarser;
+    found[i] = coarse_features<ConcurrencyTag>(problem, first_start + i,
+                                               Context{parameters, context.control, context.clock});
+  });
+  const double bound = context.parameters.maximum_average_distortion;
+  const auto rank = [bound](const Detected_features& f) { return std::make_pair((std::max)(0., f.energy - bound), f.cost); };
+  const bool is_second = found[0].status && found[1].status && rank(found[1]) < rank(found[0]);
+  found[1].trade_offs.clear(); // so coarse a version tells too little about the surface
+  return std::move(found[is_second]);
+}
+
 // From one start, or from as many as the parameters say.
 template <typename ConcurrencyTag>
 Detected_features detect_features(const Problem& problem, int start, const Context& context)
@@ -61,11 +85,12 @@ Detected_features detect_features(const Problem& problem, int start, const Conte
   if(is_coarsened(problem, context.parameters))
   {
     Detected_features detected
-      = find_on_coarse_mesh(problem, context, [&](const Problem& coarse, const Context& c)
-                            {
-                              return does_search ? Cut_search<ConcurrencyTag>(coarse, c, true).run(start)
-                                                 : refined_features<ConcurrencyTag>(coarse, start, c);
-                            });
+      = does_search
+      ? find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
+                            { return Cut_search<ConcurrencyTag>(coarse, c, true).run(start); })
+      : context.parameters.moves_ends && problem.is_sphere
+      ? cheaper_features_of_two_starts<ConcurrencyTag>(problem, start, context)
+      : coarse_features<ConcurrencyTag>(problem, start, context);
     const std::size_t enough = problem.is_sphere ? 2 : 0; // a tree of one point opens nothing
     if(!detected.status || detected.features.size() >= enough)
       return detected;

@@ -67,6 +67,8 @@ void refine_features(const Problem& problem, const Context& context, Detected_fe
     refine(refiner, {parameters.maximum_average_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
                      keeps_tree, rounds_of_moved_ends}, parameters);
     detected.features = refiner.cut().features();
+    detected.cost = refiner.cut().cost();
+    detected.energy = refiner.cut().energy();
   }
   detected.trade_offs.insert(detected.trade_offs.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());
   if(context.control.is_stopped())
@@ -119,6 +121,14 @@ Detected_features refined_features(const Problem& problem, int start, const Cont
   if(detected.status && refines(problem, context.parameters))
     refine_features<ConcurrencyTag>(problem, context, detected);
   return detected;
+}
+
+// The same on a coarser version of the problem's surface.
+template <typename ConcurrencyTag>
+Detected_features coarse_features(const Problem& problem, int start, const Context& context)
+{
+  return find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
+                             { return refined_features<ConcurrencyTag>(coarse, start, c); });
 }
 
 } // namespace internal
