@@ -191,10 +191,9 @@ private:
   bool is_better(const Component_result& a, const Component_result& b) const
   {
     const Cutting_parameters& parameters = m_context.parameters;
-    const double bound = parameters.maximum_average_distortion;
     const auto rank = [&](const Component_result& r)
     {
-      const double excess = !r.has_map ? infinity : parameters.has_bound() ? (std::max)(0., r.energy - bound) : 0;
+      const double excess = r.has_map ? parameters.excess(r.energy) : infinity;
       const double value = parameters.has_bound() ? r.cost : r.energy + parameters.decrease_per_cost * r.cost;
       return std::make_pair(excess, value);
     };

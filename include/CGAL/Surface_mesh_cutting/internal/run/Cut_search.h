@@ -106,9 +106,7 @@ private:
     const Context context{parameters, m_control, m_context.clock};
     if(place == 0 || !is_coarsened(m_problem, parameters)) // one start at least sees all details
       return refined_features<ConcurrencyTag>(m_problem, start, context);
-    Detected_features detected = coarse_features<ConcurrencyTag>(m_problem, start, context);
-    detected.trade_offs.clear(); // so coarse a version tells too little about the surface
-    return detected;
+    return rough_features<ConcurrencyTag>(m_problem, start, context);
   }
 
   // Between 0.7 and 1.4, evenly spread however many there are.
@@ -148,11 +146,7 @@ private:
   bool is_better(const Found& a, const Found& b) const
   {
     const auto rank = [this](const Found& f)
-    {
-      if(!m_parameters.has_bound())
-        return std::make_pair(0., expected_cost(f));
-      return std::make_pair((std::max)(0., f.energy - m_parameters.maximum_average_distortion), f.cost);
-    };
+    { return std::make_pair(m_parameters.excess(f.energy), m_parameters.has_bound() ? f.cost : expected_cost(f)); };
     return rank(a) < rank(b);
   }
 

@@ -61,18 +61,30 @@ Detected_features cheaper_features_of_two_starts(const Problem& problem, int fir
   constexpr double relative_size = 0.5; // of the second version, in faces
   Cutting_parameters still_coarser = context.parameters;
   still_coarser.coarse_number_of_faces = int(relative_size * still_coarser.coarse_number_of_faces);
-  Detected_features found[2];
+  Detected_features first, second;
   for_each_index_in_isolation<ConcurrencyTag>(2, [&](int i)
   {
-    const Cutting_parameters& parameters = i == 0 ? context.parameters : still_coarser;
-    found[i] = coarse_features<ConcurrencyTag>(problem, first_start + i,
-                                               Context{parameters, context.control, context.clock});
+    if(i == 0)
+      first = coarse_features<ConcurrencyTag>(problem, first_start, context);
+    else
+      second = rough_features<ConcurrencyTag>(problem, first_start + 1,
+                                              Context{still_coarser, context.control, context.clock});
   });
-  const double bound = context.parameters.maximum_average_distortion;
-  const auto rank = [bound](const Detected_features& f) { return std::make_pair((std::max)(0., f.energy - bound), f.cost); };
-  const bool is_second = found[0].status && found[1].status && rank(found[1]) < rank(found[0]);
-  found[1].trade_offs.clear(); // so coarse a version tells too little about the surface
-  return std::move(found[is_second]);
+  const auto rank = [&](const Detected_features& f)
+  { return std::make_pair(context.parameters.excess(f.energy), f.cost); };
+  return first.status && second.status && rank(second) < rank(first) ? second : first;
+}
+
+// The features that the parameters ask for, found on coarser versions.
+template <typename ConcurrencyTag>
+Detected_features detect_coarse_features(const Problem& problem, int start, const Context& context)
+{
+  if(searches(problem, context.parameters))
+    return find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
+                               { return Cut_search<ConcurrencyTag>(coarse, c, true).run(start); });
+  if(context.parameters.moves_ends && problem.is_sphere)
+    return cheaper_features_of_two_starts<ConcurrencyTag>(problem, start, context);
+  return coarse_features<ConcurrencyTag>(problem, start, context);
 }
 
 // From one start, or from as many as the parameters say.
@@ -81,21 +93,14 @@ Detected_features detect_features(const Problem& problem, int start, const Conte
 {
   if(problem.is_opened)
     return detect_features_of_disk(problem, context);
-  const bool does_search = searches(problem, context.parameters);
   if(is_coarsened(problem, context.parameters))
   {
-    Detected_features detected
-      = does_search
-      ? find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
-                            { return Cut_search<ConcurrencyTag>(coarse, c, true).run(start); })
-      : context.parameters.moves_ends && problem.is_sphere
-      ? cheaper_features_of_two_starts<ConcurrencyTag>(problem, start, context)
-      : coarse_features<ConcurrencyTag>(problem, start, context);
+    Detected_features detected = detect_coarse_features<ConcurrencyTag>(problem, start, context);
     const std::size_t enough = problem.is_sphere ? 2 : 0; // a tree of one point opens nothing
     if(!detected.status || detected.features.size() >= enough)
       return detected;
   }
-  else if(does_search)
+  else if(searches(problem, context.parameters))
     return Cut_search<ConcurrencyTag>(problem, context, false).run(start);
   return Feature_detector<ConcurrencyTag>(problem, context).run(start);
 }

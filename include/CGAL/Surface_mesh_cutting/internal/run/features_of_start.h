@@ -131,6 +131,15 @@ Detected_features coarse_features(const Problem& problem, int start, const Conte
                              { return refined_features<ConcurrencyTag>(coarse, start, c); });
 }
 
+// Those of so coarse a version that its trade-offs tell too little about the surface.
+template <typename ConcurrencyTag>
+Detected_features rough_features(const Problem& problem, int start, const Context& context)
+{
+  Detected_features detected = coarse_features<ConcurrencyTag>(problem, start, context);
+  detected.trade_offs.clear();
+  return detected;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL

@@ -42,7 +42,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
     p.number_of_shortening_solves = has_bound ? 20 : 0;
     break;
   case Effort::DEFAULT:
-    p.number_of_starts = has_bound ? 1 : 3; // moving ends at a bound levels what starts differ by
+    p.number_of_starts = has_bound ? 1 : 3; // at a bound, moving ends takes the solves
     p.number_of_combinations = 0;
     p.number_of_shortening_solves = has_bound ? 60 : 8;
     p.moves_ends = has_bound;
