@@ -59,7 +59,7 @@ def read_arguments(driver, claims):
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/bin", metavar="FOLDER")
     parser.add_argument("--meshes", type=pathlib.Path, default=ROOT / "build/data/meshes", metavar="FOLDER",
                         help="CGAL's data set")
-    for name, meaning in (("models", "with the meshes that benchmark/results/rivals.csv names"),
+    for name, meaning in (("models", "with the meshes that rivals.csv and optcuts.csv in benchmark/results name"),
                           ("graphs", "with the graphs of PACE 2018 and optimum.csv"),
                           ("wild", "with any meshes, for the runs of Robustness")):
         parser.add_argument(f"--{name}", type=pathlib.Path, metavar="FOLDER", help=meaning)

@@ -14,6 +14,7 @@ from driver import Claim, run  # noqa: E402
 from known_cuts import measure_known  # noqa: E402
 from layouts import measure_packing, measure_weights  # noqa: E402
 from meshes import CLOSED, FIGURES  # noqa: E402
+from searches import measure_best, measure_optcuts, measure_seeds  # noqa: E402
 from trees import measure_many_terminals, measure_pace, measure_trees  # noqa: E402
 
 # Where no time counts, several runs go side by side; processor seconds are then a little longer than alone.
@@ -95,6 +96,17 @@ CLAIMS = [
     Claim("best_known", 5,
           "On {surfaces} closed surfaces, default cuts are {default_free:.1f} % longer than the best known ones without a bound, "
           "{default_4_1:.1f} % at a bound of 4.1; fast ones {fast_free:.1f} % and {fast_4_1:.1f} %", measure_known),
+    Claim("seeds", 8,
+          "At a bound of 4.1, default cuts of {seeds} seeds differ by {mean:.1f} % in the mean over {surfaces} surfaces, by {median:.1f} % "
+          "in the median and by {largest:.1f} % at most; the shortest one is {best_percent:.1f} % shorter than that of seed 0",
+          measure_seeds, is_long=True),
+    Claim("best", 10,
+          "Effort best is {dominated} times of {runs} worse than a smaller one from three seeds, on {surfaces} surfaces with and without "
+          "bounds; with one, its cuts are {shorter_percent:.1f} % shorter than default ones, in {ratio:.0f} times their time",
+          measure_best, is_long=True),
+    Claim("optcuts", 1.5,
+          "On {surfaces} surfaces at a bound of 4.1 without overlaps, cuts are {mean:.1f} % shorter than those of OptCuts in the mean and "
+          "{least:.1f} % at least, in {seconds:.0f} s; overlaps left: {overlaps}", measure_optcuts, needs="--models FOLDER"),
     Claim("overlaps", 1.5,
           "On {surfaces} surfaces, layouts without overlaps take {default_time_percent:+.0f} % time for {default_energy:+.4f} mean "
           "distortion and {default_length_percent:+.1f} % length, with effort fast {fast_time_percent:+.0f} % for {fast_energy:+.4f} "
