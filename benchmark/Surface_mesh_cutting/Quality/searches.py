@@ -17,7 +17,7 @@ FEW = FIGURES[:5]  # small enough for effort `best` in four settings
 
 def measure_seeds(bench):
     """The longest cut of any seed against the shortest one, default effort."""
-    number_of_seeds = 12
+    number_of_seeds = 8
     runs = [bench.reports(bench.meshes(CLOSED), "--max-distortion", BOUND, "--seed", seed, jobs=bench.options.jobs)
             for seed in range(number_of_seeds)]
     lengths = {name: [report["cut_length"] for report in reports] for name, reports in zip(CLOSED, zip(*runs))}

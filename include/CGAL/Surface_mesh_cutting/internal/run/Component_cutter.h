@@ -150,7 +150,7 @@ private:
   // On small surfaces, starts differ most, and each takes little time.
   bool is_small() const
   {
-    constexpr int largest = 3000; // faces
+    constexpr int largest = 4500; // faces
     return m_context.parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
   }
 
