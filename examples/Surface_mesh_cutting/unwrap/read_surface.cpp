@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/name_of_interpretation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/container/small_vector.hpp>
+
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
 #endif
@@ -37,7 +39,7 @@ Mesh make_mesh(const SMC::internal::Soup_surface& surface)
   for(const SMC::internal::Point& p : surface.points)
     mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
 
-  std::vector<std::vector<Vertex> > faces(surface.polygon_origins.size());
+  std::vector<boost::container::small_vector<Vertex, 4> > faces(surface.polygon_origins.size());
   for(int f = 0; f < surface.polygons.number(); ++f)
     for(int c = surface.polygons.begin(f); c < surface.polygons.end(f); ++c)
       faces[std::size_t(f)].push_back(Vertex(Mesh::size_type(surface.polygons.vertices[std::size_t(c)])));
@@ -97,6 +99,7 @@ Surface read_surface(const Polygon_soup& soup, bool do_weld)
   const std::vector<Halfedge> halfedges = halfedges_of_corners(read_as.polygons, surface.mesh);
   set_first_corners(halfedges, read_as.polygons, surface.mesh);
   surface.corners.assign(surface.mesh.num_halfedges(), -1);
+  surface.halfedges.reserve(read_as.corners.size());
   for(std::size_t c = 0; c < read_as.corners.size(); ++c)
   {
     const Halfedge h = halfedges[std::size_t((std::max)(read_as.corners[c], 0))]; // away from the surface, any

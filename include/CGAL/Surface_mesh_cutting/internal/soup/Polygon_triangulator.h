@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -43,8 +44,9 @@ public:
   // Linear in the number of corners on usual polygons.
   Polygon_triangulation run()
   {
-    if(m_polygons.number_of_corners() != 3 * m_polygons.number())
-      collect_edges();
+    if(m_polygons.number_of_corners() == 3 * m_polygons.number())
+      return triangles_as_they_are();
+    collect_edges();
     for(int polygon = 0; polygon < m_polygons.number(); ++polygon)
       add(polygon, m_polygons.size(polygon) == 3 ? std::vector<Triangle>{{0, 1, 2}} : triangulate(polygon));
     for(std::size_t h = 0; h < m_result.sides.size(); ++h)
@@ -56,6 +58,22 @@ public:
 private:
   static constexpr int maximal_size_of_least = 32;   // above, it takes longer than the constrained triangulation
   static constexpr int maximal_size_of_repair = 500; // above, it takes too long
+
+  // All polygons have three corners or more.
+  Polygon_triangulation triangles_as_they_are() const
+  {
+    Polygon_triangulation result;
+    result.triangles.reserve(m_polygons.ends.size());
+    for(int c = 0; c < m_polygons.number_of_corners(); c += 3)
+      result.triangles.push_back({m_polygons.vertices[c], m_polygons.vertices[c + 1], m_polygons.vertices[c + 2]});
+    result.opposites = m_opposites;
+    result.polygons.resize(m_polygons.ends.size());
+    std::iota(result.polygons.begin(), result.polygons.end(), 0);
+    result.corners.resize(m_polygons.vertices.size());
+    std::iota(result.corners.begin(), result.corners.end(), 0);
+    result.sides = result.corners;
+    return result;
+  }
 
   static std::uint64_t key(int v, int w)
   {

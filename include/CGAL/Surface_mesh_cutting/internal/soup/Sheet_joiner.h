@@ -45,9 +45,15 @@ public:
   Sheet_joiner(const std::vector<Point>& points, const Polygons& polygons, const std::vector<char>& is_used,
                const Soup_edges& edges)
     : m_points(points), m_polygons(polygons), m_edges(edges), m_owners(polygons.owners()),
-      m_mates(polygons.vertices.size(), -1), m_pieces_of_polygons(polygons.ends.size(), -1),
-      m_is_turned(polygons.ends.size(), 0), m_pieces(0), m_fans(polygons.number_of_corners())
+      m_mates(polygons.vertices.size(), -1), m_is_turned(polygons.ends.size(), 0), m_pieces(0), m_fans(0)
   {
+    if(is_oriented_manifold())
+    {
+      join_sides();
+      return;
+    }
+    m_pieces_of_polygons.assign(polygons.ends.size(), -1);
+    m_fans = Disjoint_sets(polygons.number_of_corners());
     join_simple_edges(is_used);
     join_other_edges();
     turn_as_few_as_possible(is_used);
@@ -62,6 +68,7 @@ public:
 
 private:
   using Side = Soup_edges::Side;
+  using Disjoint_sets = CGAL::internal::Graph_kernel::Disjoint_sets;
 
   int owner(const Side& side) const { return m_owners[side.corner]; }
   int target(const Side& side) const { return m_polygons.next(owner(side), side.corner); }
@@ -74,10 +81,33 @@ private:
     return (a.is_upward != bool(m_is_turned[owner(a)])) == (b.is_upward != bool(m_is_turned[owner(b)]));
   }
 
-  void mate(const Side& a, const Side& b)
+  // Whether each edge has one polygon, or two that agree as they are.
+  bool is_oriented_manifold() const
+  {
+    for(int e = 0; e < m_edges.number(); ++e)
+      if(m_edges.size(e) > 2 ||
+         (m_edges.size(e) == 2 && m_edges.side(e, 0).is_upward == m_edges.side(e, 1).is_upward))
+        return false;
+    return true;
+  }
+
+  // All there is to do on an oriented manifold.
+  void join_sides()
+  {
+    for(int e = 0; e < m_edges.number(); ++e)
+      if(m_edges.size(e) == 2)
+        set_mates(m_edges.side(e, 0), m_edges.side(e, 1));
+  }
+
+  void set_mates(const Side& a, const Side& b)
   {
     m_mates[a.corner] = b.corner;
     m_mates[b.corner] = a.corner;
+  }
+
+  void mate(const Side& a, const Side& b)
+  {
+    set_mates(a, b);
     for(bool is_low : {true, false})
       m_fans.unite(corner_at(a, is_low), corner_at(b, is_low));
   }
@@ -288,7 +318,7 @@ private:
   std::vector<int> m_pieces_of_polygons; // connected by edges with two polygons
   std::vector<char> m_is_turned;
   Oriented_pieces m_pieces;
-  CGAL::internal::Graph_kernel::Disjoint_sets m_fans; // of corners
+  Disjoint_sets m_fans; // of corners
   std::vector<int> m_non_orientable_edges;
   std::vector<int> m_neighbors, m_neighbor_ends; // in compressed rows
   std::deque<int> m_waiting;

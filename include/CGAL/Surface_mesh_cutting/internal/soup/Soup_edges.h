@@ -49,6 +49,7 @@ public:
     for(int v = 0, first = 0; v < number_of_vertices; first = ends[v++])
       std::sort(m_sides.begin() + first, m_sides.begin() + ends[v], [](const Side& a, const Side& b)
                 { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
+    m_begins.reserve(m_sides.size() / 2 + 1);
     for(int i = 0; i < int(m_sides.size()); ++i)
       if(i == 0 || m_sides[i].low != m_sides[i - 1].low || m_sides[i].high != m_sides[i - 1].high)
         m_begins.push_back(i);

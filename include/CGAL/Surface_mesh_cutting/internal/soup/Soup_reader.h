@@ -65,10 +65,14 @@ public:
     const Sheet_joiner joiner(m_points, m_welded, m_is_used, edges);
     m_mates = joiner.mates();
     m_is_turned = joiner.is_turned();
+    m_fans = fans_across(m_mates);
     describe(edges, joiner);
-    do
+    number_fans();
+    while(open_double_edges(edges) || (assemble(), open_doubled_polygons()))
+    {
+      m_fans = fans_across(m_mates);
       number_fans();
-    while(open_double_edges(edges) || (assemble(), open_doubled_polygons()));
+    }
     place_left_out_polygons();
     for(Interpretation& finding : m_findings)
       if(finding.count() > 0)
@@ -114,21 +118,65 @@ private:
 
   void describe_vertices(const Soup_edges& edges)
   {
-    Disjoint_sets fans(m_welded.number_of_corners());
-    for(int e = 0; e < edges.number(); ++e)
-      for(int i = 1; i < edges.size(e); ++i)
-        unite_ends(edges.side(e, 0).corner, edges.side(e, i).corner, fans);
+    const std::vector<int> fans = all_are_joined(edges) ? m_fans : fans_around(edges);
     std::vector<int> fan_of_vertex(m_points.size(), -1);
     std::vector<char> has_several(m_points.size(), 0);
     for_each_used_corner([&](int, int c)
     {
-      const int v = m_welded.vertices[c], fan = fans.find(c);
+      const int v = m_welded.vertices[c], fan = fans[c];
       has_several[v] = has_several[v] || (fan_of_vertex[v] >= 0 && fan_of_vertex[v] != fan);
       fan_of_vertex[v] = fan;
     });
     for(int v = 0; v < number_of_points(); ++v)
       if(has_several[v])
         add(Interpretation_kind::NON_MANIFOLD_VERTICES).vertices.push_back(std::size_t(v));
+  }
+
+  // Whether the sides of each edge are those that have become neighbors.
+  bool all_are_joined(const Soup_edges& edges) const
+  {
+    for(int e = 0; e < edges.number(); ++e)
+      if(edges.size(e) > 2 || (edges.size(e) == 2 && m_mates[edges.side(e, 0).corner] < 0))
+        return false;
+    return true;
+  }
+
+  // Per corner, one that stands for its fan, where all sides of an edge are neighbors.
+  std::vector<int> fans_around(const Soup_edges& edges) const
+  {
+    Disjoint_sets fans(m_welded.number_of_corners());
+    for(int e = 0; e < edges.number(); ++e)
+      for(int i = 1; i < edges.size(e); ++i)
+        unite_ends(edges.side(e, 0).corner, edges.side(e, i).corner, fans);
+    std::vector<int> result(m_welded.vertices.size());
+    for(int c = 0; c < m_welded.number_of_corners(); ++c)
+      result[c] = fans.find(c);
+    return result;
+  }
+
+  // The same where `mates` are neighbors: what a walk around the vertex meets, across one side of the corner and, if
+  // that ends at a border, across the other one.
+  std::vector<int> fans_across(const std::vector<int>& mates) const
+  {
+    std::vector<int> fans(m_welded.vertices.size(), -1);
+    for_each_used_corner([&](int polygon, int seed)
+    {
+      if(fans[seed] >= 0)
+        return;
+      fans[seed] = seed;
+      for(const int first : {seed, m_welded.previous(polygon, seed)})
+        for(int side = first; mates[side] >= 0;)
+        {
+          const int mate = mates[side], owner = m_owners[mate];
+          const bool starts_here = m_welded.vertices[mate] == m_welded.vertices[seed];
+          const int c = starts_here ? mate : m_welded.next(owner, mate);
+          if(fans[c] >= 0)
+            break; // the walk has come around
+          fans[c] = seed;
+          side = starts_here ? m_welded.previous(owner, c) : c;
+        }
+    });
+    return fans;
   }
 
   template <typename Visit>
@@ -153,12 +201,6 @@ private:
   // that are not welded to another one, the others get numbers behind all of these.
   void number_fans()
   {
-    Disjoint_sets fans(m_welded.number_of_corners());
-    for_each_used_corner([&](int, int c)
-    {
-      if(m_mates[c] > c)
-        unite_ends(c, m_mates[c], fans);
-    });
     std::vector<int> first_fans(m_points.size(), -1), vertices_of_fans(m_welded.vertices.size(), -1);
     m_surface.origins.clear();
     std::vector<int> numbers(m_points.size(), -1);
@@ -171,7 +213,7 @@ private:
     m_vertices.assign(m_welded.vertices.size(), -1);
     for_each_used_corner([&](int, int c)
     {
-      const int v = m_welded.vertices[c], fan = fans.find(c);
+      const int v = m_welded.vertices[c], fan = m_fans[c];
       if(first_fans[v] < 0)
       {
         first_fans[v] = fan;
@@ -228,10 +270,14 @@ private:
   void assemble()
   {
     m_surface.points.clear();
+    m_surface.points.reserve(m_surface.origins.size());
     for(int v : m_surface.origins)
       m_surface.points.push_back(m_points[v]);
     m_surface.polygons = Polygons();
+    m_surface.polygons.vertices.reserve(m_welded.vertices.size());
+    m_surface.polygons.ends.reserve(m_welded.ends.size());
     m_surface.polygon_origins.clear();
+    m_surface.polygon_origins.reserve(m_welded.ends.size());
     m_surface.corners.assign(m_soup.vertices.size(), -1);
     m_surface.is_on_surface.assign(m_soup.vertices.size(), 0);
     for(int p = 0; p < m_welded.number(); ++p)
@@ -276,6 +322,8 @@ private:
   // vertices, if possible of a single polygon.
   void place_left_out_polygons()
   {
+    if(int(m_surface.polygon_origins.size()) == m_welded.number())
+      return;
     std::vector<int> first_corners(m_points.size(), -1); // at each vertex
     for_each_used_corner([&](int, int c)
     {
@@ -312,6 +360,7 @@ private:
   std::vector<int> m_former;
   std::vector<char> m_is_used;
   std::vector<int> m_mates; // per side of the soup
+  std::vector<int> m_fans;  // per corner of the soup, one that stands for its fan
   std::vector<char> m_is_turned;
   std::vector<int> m_vertices; // per corner of the soup, of the surface
   std::array<Interpretation, 7> m_findings;

@@ -95,6 +95,8 @@ private:
   void number_edges()
   {
     m_edges.assign(m_opposites.size(), -1);
+    m_edge_halfedges.reserve(m_opposites.size() / 2);
+    m_lengths.reserve(m_opposites.size() / 2);
     for(int h = 0; h < number_of_halfedges(); ++h)
     {
       const int o = m_opposites[h];
