@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 // A number to be written with two digits behind the point: enough for pictures.
 struct Coarse
@@ -41,7 +42,8 @@ public:
     return *this;
   }
 
-  const std::string& text() const { return m_text; }
+  const std::string& text() const & { return m_text; }
+  std::string text() && { return std::move(m_text); }
 
 private:
   template <typename Convert>

@@ -36,19 +36,21 @@ private:
   int m_number;
 };
 
-// For the user, it is about `place`.
-void write_to(int descriptor, std::string_view content, const fs::path& place)
+constexpr std::size_t most_for_pipes = PIPE_BUF; // bytes that a pipe that is ready takes without waiting for its reader
+constexpr std::size_t most_for_files = 1 << 20;  // files never wait for long
+
+// Writes at most so many bytes at a time. For the user, it is about `place`.
+void write_to(int descriptor, std::string_view content, std::size_t most, const fs::path& place)
 {
   while(!content.empty())
   {
-    // A pipe that is ready takes that much without waiting for its reader.
     pollfd request = {descriptor, POLLOUT, 0};
     const int number_ready = poll(&request, 1, patience);
     if(number_ready == 0)
       end_if_stop_is_requested();
     if(number_ready <= 0)
       continue;
-    const ssize_t written = write(descriptor, content.data(), (std::min)(content.size(), std::size_t(PIPE_BUF)));
+    const ssize_t written = write(descriptor, content.data(), (std::min)(content.size(), most));
     if(written >= 0)
       content.remove_prefix(std::size_t(written));
     else if(errno != EINTR && errno != EAGAIN)
@@ -75,9 +77,9 @@ int open_stream(const fs::path& path)
 void write_stream(const Output_place& place, const std::string& content)
 {
   if(place.kind == Output_place::Kind::OPEN_DESCRIPTOR)
-    return write_to(place.descriptor, content, place.path);
+    return write_to(place.descriptor, content, most_for_pipes, place.path);
   Descriptor stream(open_stream(place.path));
-  write_to(stream.number(), content, place.path);
+  write_to(stream.number(), content, most_for_pipes, place.path);
   if(!stream.close())
     fail_to_write(place.path, std::strerror(errno));
 }
@@ -88,7 +90,7 @@ void write_file(Descriptor& file, const std::string& content, const fs::path& pl
   struct stat former = {};
   if(stat(place.c_str(), &former) == 0 && fchmod(file.number(), former.st_mode & 0777) != 0)
     fail_to_write(place, std::strerror(errno));
-  write_to(file.number(), content, place);
+  write_to(file.number(), content, most_for_files, place);
   if(!file.close())
     fail_to_write(place, std::strerror(errno));
 }

@@ -25,6 +25,8 @@ public:
 
   Layout build()
   {
+    m_layout.corner_uvs.reserve(m_surface.halfedges.size());
+    m_layout.corner_vertices.reserve(m_surface.halfedges.size());
     for(const Halfedge h : m_surface.halfedges)
     {
       if(m_uv_vertices[h] < 0)
@@ -53,6 +55,9 @@ private:
   {
     if(CGAL::is_triangle_mesh(m_mesh))
     {
+      for(std::vector<Layout::Triangle>* triangles :
+          {&m_layout.triangles, &m_layout.triangle_corners, &m_layout.uv_triangles})
+        triangles->reserve(m_mesh.number_of_faces());
       for(const Face f : m_mesh.faces())
         add_triangle(halfedges_from_file(f));
       return;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace {
 
@@ -67,7 +68,7 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
   if(!material_file.empty())
     out << "usemtl " << material_name << "\n";
   write_polygons(layout, !material_file.empty(), out);
-  return out.text();
+  return std::move(out).text();
 }
 
 std::string cut_to_obj(const Layout& layout)
@@ -87,5 +88,5 @@ std::string cut_to_obj(const Layout& layout)
     out << "l " << position(edge[0]) + 1 << " " << position(edge[1]) + 1 << "\n";
   for(const int vertex : layout.feature_points)
     out << "p " << position(vertex) + 1 << "\n";
-  return out.text();
+  return std::move(out).text();
 }

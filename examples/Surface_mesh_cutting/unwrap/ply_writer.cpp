@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace {
 
@@ -74,7 +75,7 @@ std::string renewed(const Ply_source& source, const Layout& layout, const std::s
       out << binary_texture_coordinates(layout, polygon++, source.format == Ply_header::Format::BIG);
   }
   out << bytes.substr(copied);
-  return out.text();
+  return std::move(out).text();
 }
 
 void write_header(const Layout& layout, const std::string& image, Number_writer& out)
@@ -112,7 +113,7 @@ std::string new_file(const Layout& layout, const std::string& image)
     write_texture_coordinates(layout, polygon, out << " ");
     out << "\n";
   }
-  return out.text();
+  return std::move(out).text();
 }
 
 } // namespace

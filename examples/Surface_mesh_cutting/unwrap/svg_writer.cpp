@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -182,5 +183,5 @@ std::string to_svg(const Layout& layout, const Outcome& outcome, const std::stri
   if(!plot.is_empty())
     plot.draw(margin, plot_top, legend_width, out);
   out << "</svg>\n";
-  return out.text();
+  return std::move(out).text();
 }

@@ -3,6 +3,8 @@
 #include "Image.h"
 #include "Number_writer.h"
 
+#include <utility>
+
 std::string checkerboard_png()
 {
   constexpr int squares = 8, size = 512;
@@ -26,5 +28,5 @@ std::string to_mtl(const Layout& layout, const std::string& image)
   Number_writer out;
   out << "newmtl " << material_name << "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nmap_Kd -s " << scale << " "
       << scale << " 1 " << image << "\n";
-  return out.text();
+  return std::move(out).text();
 }
