@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
+#include <CGAL/Surface_mesh_cutting/Effort.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
 
@@ -55,7 +56,7 @@ struct Cutting_parameters
   bool do_bijective = false;
   int number_of_starts = 1;            // of a search for features; one: there is no search
   int number_of_combinations = 0;      // of what starts find, at most
-  bool runs_all_efforts = false;       // also the smaller ones; the best result is returned
+  Effort effort = Effort::DEFAULT;     // the best one also runs the smaller ones, and returns the best result
   bool moves_ends = false;             // where features are found, of a cut at a bound
   bool opens_slits_first = false;      // where a map without overlaps misses a bound, before the running map goes below
   bool ends_early_in_room = false;     // whether maps without overlaps take no factorization that gains little

@@ -69,14 +69,16 @@ public:
     if(!failed.status)
       return failed;
     std::vector<Component_result> results;
-    const std::vector<Component_result> none;
+    std::vector<std::vector<int>> known; // features, of the runs before with the same effort
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
       const Start_run<ConcurrencyTag> run_with(m_problem, runs[i], m_context);
-      const bool is_other_start = i > 0 && runs.size() <= seeds.size(); // and the rest is the same
-      Component_result result = run_with(0, needs_uv || runs.size() > 1, is_other_start ? results : none);
+      if(i > 0 && runs[i].effort != runs[i - 1].effort)
+        known.clear();
+      Component_result result = run_with(0, needs_uv || runs.size() > 1, known);
       if(!result.has_cut && results.empty())
         return result;
+      known.push_back(result.detected_features);
       if(result.has_cut)
         results.push_back(std::move(result));
       if(runs.size() == 1 && goes_on_after(results))
@@ -95,7 +97,7 @@ public:
       failed.status = failure(m_context.control);
       return failed;
     }
-    if(m_context.parameters.runs_all_efforts && m_context.parameters.has_bound() && !m_problem.is_opened)
+    if(m_context.parameters.effort == Effort::BEST && m_context.parameters.has_bound() && !m_problem.is_opened)
       go_on_from_best(results);
     return best_of(results);
   }

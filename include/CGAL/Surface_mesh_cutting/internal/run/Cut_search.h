@@ -100,6 +100,7 @@ private:
     constexpr int solves_with_bound = 14, solves_without_bound = 6;
     Cutting_parameters parameters = m_parameters;
     parameters.number_of_starts = 1;
+    parameters.moves_ends = false;
     parameters.number_of_shortening_solves = m_parameters.has_bound() ? solves_with_bound : solves_without_bound;
     parameters.coarse_number_of_faces
       = int(relative_size(place) * (std::min)(number_of_faces, largest_share * m_problem.mesh.number_of_faces()));

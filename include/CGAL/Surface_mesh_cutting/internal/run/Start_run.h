@@ -48,8 +48,8 @@ public:
   Start_run(const Start_run&) = delete; // the context refers to the parameters
   Start_run& operator=(const Start_run&) = delete;
 
-  // There is no cut if the features are those of one of `others`, from another start with the same parameters.
-  Component_result operator()(int start, bool needs_map, const std::vector<Component_result>& others = {}) const
+  // There is no cut if the features are among the `known` ones, which other starts with the same parameters led to.
+  Component_result operator()(int start, bool needs_map, const std::vector<std::vector<int>>& known = {}) const
   {
     Component_result result;
     Detected_features detected = detect_features<ConcurrencyTag>(m_problem, start, m_context);
@@ -57,8 +57,7 @@ public:
     result.number_of_candidates = detected.number_of_candidates;
     result.detected_features = detected.features;
     result.add(detected.trade_offs);
-    if(std::any_of(others.begin(), others.end(), [&](const Component_result& other)
-                   { return other.detected_features == detected.features; }))
+    if(std::find(known.begin(), known.end(), detected.features) != known.end())
       return result;
     if(!result.status)
     {

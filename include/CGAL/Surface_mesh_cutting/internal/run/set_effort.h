@@ -33,7 +33,7 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
   p.moves_ends = false;
   p.opens_slits_first = has_bound && effort != Effort::FAST;
   p.ends_early_in_room = !has_bound && effort == Effort::FAST;
-  p.runs_all_efforts = effort == Effort::BEST;
+  p.effort = effort;
   switch(effort)
   {
   case Effort::FAST:
@@ -48,9 +48,10 @@ inline void set_effort(Effort effort, Cutting_parameters& p)
     p.moves_ends = has_bound;
     break;
   case Effort::BEST:
-    p.number_of_starts = 12;
-    p.number_of_combinations = 11;
+    p.number_of_starts = 10;
+    p.number_of_combinations = 7;
     p.number_of_shortening_solves = has_bound ? 300 : 60;
+    p.moves_ends = has_bound;
     break;
   }
 }
@@ -79,11 +80,11 @@ inline std::vector<unsigned int> seeds_of_runs(const Cutting_parameters& paramet
 // so that it is no worse than these.
 inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& parameters, bool has_seeds)
 {
-  if(!parameters.runs_all_efforts)
+  if(parameters.effort != Effort::BEST)
     return {parameters};
   std::vector<Cutting_parameters> runs;
-  for(unsigned int seed : seeds_of_runs(parameters, has_seeds))
-    for(Effort effort : {Effort::DEFAULT, Effort::FAST})
+  for(Effort effort : {Effort::DEFAULT, Effort::FAST})
+    for(unsigned int seed : seeds_of_runs(parameters, has_seeds))
     {
       runs.push_back(with_effort(effort, parameters));
       runs.back().random_seed = seed;
