@@ -1,8 +1,8 @@
-# Headers of other projects, parsed once for many sources. A source is given a set only if it includes all of the
-# set anyway, itself or through our own headers; so what compiles with the set includes what it needs.
+# Headers, parsed once for many sources. A source is given a set only if it includes all of the set anyway, itself or
+# through our own headers; so what compiles with the set includes what it needs.
 # (ccache caches what uses them with CCACHE_SLOPPINESS=pch_defines,time_macros.)
 
-# From small to large.
+# Of other projects, from small to large.
 set(precompiled_sets graph numbers parameters predicates solvers surface cutting cutting_of_surface)
 # With GCC, a set takes up to half a gigabyte: programs use few.
 set(precompiled_sets_of_programs graph numbers solvers surface cutting_of_surface)
@@ -19,34 +19,44 @@ set(precompiled_cutting ${precompiled_solvers} ${precompiled_graph} boost/graph/
 set(precompiled_cutting_of_surface ${precompiled_cutting} ${precompiled_surface}
   CGAL/Constrained_Delaunay_triangulation_2.h)
 
-# foreign_headers(FILE RESULT): what its lines of #include reach, whatever #if stands around them
-function(foreign_headers file result)
-  get_property(is_known GLOBAL PROPERTY "foreign_headers_of_${file}" SET)
+# One of our own each, with all that it includes, for the headers built on it: where these are compiled alone, most of
+# the time would go to what is below them.
+set(precompiled_own_sets index_arrays functions mapping)
+set(precompiled_index_arrays CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h)
+set(precompiled_functions CGAL/Surface_mesh_cutting/internal/indexed_functions.h)
+set(precompiled_mapping CGAL/Surface_mesh_cutting/internal/mapping/final_map.h)
+# All, by the time that parsing them takes.
+set(precompiled_sets_of_headers graph numbers index_arrays functions parameters predicates solvers surface cutting
+  cutting_of_surface mapping)
+
+# reached_headers(FILE RESULT): what its lines of #include reach, whatever #if stands around them
+function(reached_headers file result)
+  get_property(is_known GLOBAL PROPERTY "reached_headers_of_${file}" SET)
   if(NOT is_known)
     get_filename_component(folder "${file}" DIRECTORY)
     set(headers "")
     file(STRINGS "${file}" lines REGEX "^ *# *include +[<\"]")
     foreach(line IN LISTS lines)
       string(REGEX REPLACE "^ *# *include +[<\"]([^>\"]+).*" "\\1" header "${line}")
-      set(further "${header}")
+      list(APPEND headers "${header}")
       foreach(own IN ITEMS "${PROJECT_SOURCE_DIR}/include/${header}" "${folder}/${header}")
         if(EXISTS "${own}")
-          foreign_headers("${own}" further)
+          reached_headers("${own}" further)
+          list(APPEND headers ${further})
           break()
         endif()
       endforeach()
-      list(APPEND headers ${further})
     endforeach()
     list(REMOVE_DUPLICATES headers)
-    set_property(GLOBAL PROPERTY "foreign_headers_of_${file}" "${headers}")
+    set_property(GLOBAL PROPERTY "reached_headers_of_${file}" "${headers}")
   endif()
-  get_property(headers GLOBAL PROPERTY "foreign_headers_of_${file}")
+  get_property(headers GLOBAL PROPERTY "reached_headers_of_${file}")
   set(${result} "${headers}" PARENT_SCOPE)
 endfunction()
 
 # precompiled_set_for(FILE RESULT SET...): the name of the last SET that fits, or nothing
 function(precompiled_set_for file result)
-  foreign_headers("${file}" reached)
+  reached_headers("${file}" reached)
   set(${result} "" PARENT_SCOPE)
   foreach(name IN LISTS ARGN)
     set(missing ${precompiled_${name}})
