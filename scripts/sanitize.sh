@@ -18,7 +18,7 @@ case $preset in
   address) [ $# -gt 0 ] || set -- --label-exclude '^slow$' --exclude-regex '^merge_check|install|readme' ;;
   program) preset=address
            targets=(--target unwrap)
-           set -- --tests-regex '^unwrap_(usage|reading|limits)$' ;;
+           set -- --tests-regex '^unwrap_(usage|reading|limits|unusual)$' ;;
   thread)  targets=(--target unwrap test_feature_points test_steiner_tree_parallel)
            set -- --tests-regex '^(unwrap_determinism|execution___of__test_(feature_points|steiner_tree_parallel))$' ;;
   *)       echo "usage: $0 address|program|thread [options of ctest]" >&2; exit 2 ;;

@@ -9,11 +9,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 PROGRAM = os.path.abspath(sys.argv[1])
 MESH_DIR = Path(os.environ.get("SURFACE_MESH_CUTTING_MESH_DIR", sys.argv[2]))
 TIME_LIMIT = 60  # seconds, of any run
+EFFORTS = (["--effort", "fast"], [], ["--bijective"], ["--faithful"])
 
 PHASES = ["candidates", "filter", "connect", "refine", "parameterize", "packing", "total"]
 KEYS = ["status", "message", "warnings", "witness", "vertices", "faces", "polygons", "interpreted",
@@ -91,6 +93,18 @@ class Case(unittest.TestCase):
         self.assertEqual(self.files(), before)
         return report
 
+    def assert_unwrapped(self, mesh, *options):
+        """Exact and independent of the program: every triangle is counterclockwise. Returns the report."""
+        self.write("a.off", to_off(mesh))
+        exit_code, report = self.report("a.off", "-o", "out.obj", *options)
+        self.assertEqual((exit_code, report["flips"]), (0, 0), report["message"])
+        _, uvs, faces = read_obj(self.folder / "out.obj")
+        exact = [tuple(map(Fraction, uv)) for uv in uvs]
+        for face in faces:
+            a, b, c = (exact[corner[1]] for corner in face)
+            self.assertGreater((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0)
+        return report
+
 
 # ------------------------------------------------------------------------------------------ meshes
 
@@ -139,6 +153,10 @@ def torus(n=6):
 
 def without_face(mesh):
     return mesh[0], mesh[1][1:]
+
+
+def scaled(mesh, factor):
+    return [tuple(factor * x for x in p) for p in mesh[0]], mesh[1]
 
 
 def joined(mesh, other):
