@@ -35,6 +35,9 @@ PROGRAMS = {
     "default": Program("pipeline", [], SMALL + ["bear_bis", "boeing", "cactus", "elk", "fandisk", "head", "mushroom",
                                                 "pinion", "three_peaks"]),
     "medium": Program("pipeline", [], ["cow", "dino", "femur", "triceratops"]),
+    "medium_fast": Program("pipeline", ["--effort", "fast"], ["bull", "cow", "dino", "elephant", "fandisk", "femur",
+                                                              "homer", "triceratops"]),
+    "larger_fast": Program("pipeline", ["--effort", "fast"], ["bear", "camel", "lion-head", "mannequin-devil"]),
     "bijective": Program("pipeline", ["--bijective", "--effort", "fast"],
                          ["boeing", "cactus", "couplingdown", "elephant", "elephant-with-holes", "elk", "holes",
                           "three_peaks", "triceratops"]),
@@ -57,7 +60,8 @@ PROGRAMS = {
     "published": Program("pipeline", ["--faithful"], SMALL + ["elk", "head", "mushroom", "pinion"]),
     "handles": Program("pipeline", ["--effort", "fast"], ["anchor", "eight", "elephant", "elk", "helmet", "joint",
                                                           "knot1", "pinion", "rotor"]),
-    # what weights cost: lengths are costs
+    # what weights cost, and how much charts fill: in place of lengths
+    "packing": Program("packing", [], ["blobby_3cc", "bones", "cheese", "knot2"]),
     "weighted": Program("weighted_cuts", ["front"], ["anchor", "eight", "hand", "helmet", "rotor", "spool"]),
     "weighted_coarse": Program("weighted_cuts", ["front"], ["dino"]),
     "trees": Program("connect_many_terminals", ["60", "1"], ["cactus", "hand", "head"]),
@@ -74,10 +78,20 @@ class Runner:
     def command(self, run):
         program = PROGRAMS[run.kind]
         mesh = str(self.meshes / (run.mesh + ".off"))
+        if program.name == "packing":
+            return [str(self.binaries / program.name), str(self.layout(run.mesh))]
         if program.name == "weighted_cuts":
             return [str(self.binaries / program.name), *program.options, str(self.meshes), run.mesh + ".off"]
         options = ["--repetitions", "1"] if program.name == "pipeline" else []
         return [str(self.binaries / program.name), mesh, *program.options, *options]
+
+    def layout(self, mesh):
+        """Some charts: parts at one scale, not packed yet."""
+        file = self.binaries / (mesh + ".obj")
+        if not file.exists():
+            subprocess.run([str(ROOT / "build/bin/unwrap"), str(self.meshes / (mesh + ".off")), "--uv-scale", "surface",
+                            "--quiet", "-o", str(file)], check=True)
+        return file
 
     def __call__(self, run, time_limit, **variables):
         """The outcome; not done if the program fails or takes too long."""
@@ -108,6 +122,11 @@ def outcome_of_weighted_cuts(rows):
     return Outcome(True, result, float(row["avoided"]), float(row["E"]), float(row["seconds"]))
 
 
+def outcome_of_packing(rows):
+    """The fill in place of the length."""
+    return Outcome(True, rows[0]["packed"], float(rows[0]["packed"]), 0, float(rows[0]["seconds"]))
+
+
 def outcome_of_trees(rows):
     result = tuple((row["length"], row["lower_bound"], row["optimal"]) for row in rows)
     return Outcome(True, result, sum(float(row["length"]) for row in rows), 0,
@@ -115,8 +134,9 @@ def outcome_of_trees(rows):
 
 
 OUTCOMES = {"pipeline": outcome_of_pipeline, "weighted_cuts": outcome_of_weighted_cuts,
-            "connect_many_terminals": outcome_of_trees}
-PACKAGES = {"pipeline": "Surface_mesh_cutting", "weighted_cuts": "Surface_mesh_cutting", "connect_many_terminals": "BGL"}
+            "packing": outcome_of_packing, "connect_many_terminals": outcome_of_trees}
+PACKAGES = {"pipeline": "Surface_mesh_cutting", "weighted_cuts": "Surface_mesh_cutting",
+            "packing": "Surface_mesh_cutting", "connect_many_terminals": "BGL"}
 
 
 def build(folder, constants, programs):
