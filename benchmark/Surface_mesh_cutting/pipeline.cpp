@@ -123,7 +123,7 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed, const
                     .effort(options.effort)
                     .connection(options.connection_or_default())
                     .conformal_solver(options.conformal_solver_or_default())
-                    .coarse_number_of_faces(options.coarse_number_of_faces_or_default())
+                    .coarse_number_of_faces(options.coarse_number_of_faces) // if it was said: else, it depends on the surface
                     .maximum_average_distortion(options.maximum_average_distortion)
                     .do_bijective(options.is_bijective)
                     .random_seed(static_cast<unsigned int>(seed))

@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
 #include <CGAL/Surface_mesh_cutting/Connection.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -43,13 +42,6 @@ struct Pipeline_options
   Conformal_solver conformal_solver_or_default() const
   {
     return conformal_solver.value_or(is_faithful ? Conformal_solver::KP_NEWTON : Conformal_solver::SPECTRAL);
-  }
-  int coarse_number_of_faces_or_default() const
-  {
-    CGAL::Surface_mesh_cutting::internal::Cutting_parameters parameters;
-    if(!is_faithful)
-      CGAL::Surface_mesh_cutting::internal::set_effort(effort, parameters);
-    return coarse_number_of_faces.value_or(parameters.coarse_number_of_faces);
   }
 };
 
