@@ -129,7 +129,10 @@ private:
     own.setZero();
     m_supernodes.for_each_entry(s, [&](int row, int column, int entry) { own(row, column) += values[entry]; });
     if(below > 0)
-      m_rests[s].reset(new double[std::size_t(below) * below]()); // zeros
+    {
+      m_rests[s].reset(new double[std::size_t(below) * below]);
+      set_lower_triangle_to_zero(m_rests[s].get(), below);
+    }
     for(int child = m_first_child[s]; child >= 0; child = m_next_sibling[child])
     {
       add_rest(child, own, s);
