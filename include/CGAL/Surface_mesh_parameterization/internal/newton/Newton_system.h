@@ -45,9 +45,12 @@ public:
                 Execution execution = Execution::SEQUENTIAL, const std::vector<int>& ranks = {})
     : m_execution(execution), m_positions(number_of_vertices, -1)
   {
-    order_unknowns(triangles, is_fixed, ranks);
-    build_pattern(triangles);
-    m_groups = Triangle_groups(triangles, m_positions, int(m_diagonal.size()));
+    const int number_of_positions = order_unknowns(triangles, is_fixed, ranks);
+    execute_in_isolation(m_execution, [&]
+    {
+      execute_both(m_execution, [&] { build_pattern(triangles, number_of_positions); },
+                   [&] { m_groups = Triangle_groups(triangles, m_positions, number_of_positions); });
+    });
   }
 
   int number_of_unknowns() const { return int(m_gradient.size()); }
@@ -69,12 +72,17 @@ public:
     std::fill_n(m_hessian.valuePtr(), m_hessian.nonZeros(), 0.);
     m_gradient.setZero();
     double* values = m_hessian.valuePtr();
-    const double energy = m_groups.sum(m_execution, [&](int f)
+    const auto terms_of = [&](int f)
     {
       Triangle_terms terms;
       const Triangle& t = triangles[f];
-      const double w = weights[f];
       triangle_terms<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], terms);
+      return terms;
+    };
+    const double energy = m_groups.sum(m_execution, terms_of, [&](int f, const Triangle_terms& terms)
+    {
+      const Triangle& t = triangles[f];
+      const double w = weights[f];
       for(int k = 0; k < 3; ++k)
       {
         const int p = m_positions[t[k]];
@@ -104,15 +112,21 @@ public:
                          const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv)
   {
     m_gradient.setZero();
-    m_groups.sum(m_execution, [&](int f)
+    struct Gradient { Eigen::Vector2d at_corners[3]; };
+    const auto gradient_of = [&](int f)
     {
-      Eigen::Vector2d gradient[3];
+      Gradient gradient;
       const Triangle& t = triangles[f];
-      const double energy = triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient);
+      triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient.at_corners);
+      return gradient;
+    };
+    m_groups.sum(m_execution, gradient_of, [&](int f, const Gradient& gradient)
+    {
+      const Triangle& t = triangles[f];
       for(int k = 0; k < 3; ++k)
         if(m_positions[t[k]] >= 0)
-          m_gradient.segment<2>(2 * m_positions[t[k]]) += weights[f] * gradient[k];
-      return weights[f] * energy;
+          m_gradient.segment<2>(2 * m_positions[t[k]]) += weights[f] * gradient.at_corners[k];
+      return 0.;
     });
   }
 
@@ -136,8 +150,9 @@ private:
       add_to_block(values + entry, m_column_sizes[p], w * m(0, 0), w * m(1, 0), w * m(0, 1), w * m(1, 1));
   }
 
-  void order_unknowns(const std::vector<Triangle>& triangles, const std::vector<char>& is_fixed,
-                      const std::vector<int>& ranks)
+  // Returns the number of vertices with unknowns.
+  int order_unknowns(const std::vector<Triangle>& triangles, const std::vector<char>& is_fixed,
+                     const std::vector<int>& ranks)
   {
     std::vector<int> compact(m_positions.size(), -1);
     std::vector<int> vertices;
@@ -155,7 +170,7 @@ private:
                 [&](int v, int w) { return ranks[v] != ranks[w] ? ranks[v] < ranks[w] : v < w; });
       for(int i = 0; i < n; ++i)
         m_positions[vertices[i]] = i;
-      return;
+      return n;
     }
     std::vector<std::array<int, 2> > pairs;
     pairs.reserve(6 * triangles.size() + n);
@@ -174,6 +189,7 @@ private:
     const std::vector<int> order = fill_reducing_order(adjacency(n, std::move(pairs)));
     for(int i = 0; i < n; ++i)
       m_positions[vertices[order[i]]] = i;
+    return n;
   }
 
   // Pairs of column and row, any of them several times. Sorted by rows first, they are sorted in each column, too.
@@ -208,9 +224,9 @@ private:
     return sorted;
   }
 
-  void build_pattern(const std::vector<Triangle>& triangles)
+  // `n`: the number of positions.
+  void build_pattern(const std::vector<Triangle>& triangles, int n)
   {
-    const int n = 1 + (m_positions.empty() ? -1 : *std::max_element(m_positions.begin(), m_positions.end()));
     std::vector<std::array<int, 2> > pairs; // column, row with row < column
     pairs.reserve(3 * triangles.size());
     for(const Triangle& t : triangles)
@@ -255,18 +271,20 @@ private:
   void locate_mixed_blocks(const std::vector<Triangle>& triangles, const Sparse_matrix& blocks)
   {
     m_mixed.assign(3 * triangles.size(), -1);
-    for(std::size_t f = 0; f < triangles.size(); ++f)
-      for(int k = 0; k < 3; ++k)
+    execute_blocks(m_execution, int(triangles.size()), [&](int begin, int end)
+    {
+      for(int h = 3 * begin; h < 3 * end; ++h)
       {
-        const int p = m_positions[triangles[f][k]], q = m_positions[triangles[f][(k + 1) % 3]];
+        const Triangle& t = triangles[h / 3];
+        const int p = m_positions[t[h % 3]], q = m_positions[t[(h + 1) % 3]];
         if(p < 0 || q < 0)
           continue;
         const int column = (std::max)(p, q), row = (std::min)(p, q);
         const int* first = blocks.innerIndexPtr() + blocks.outerIndexPtr()[column];
         const int* last = blocks.innerIndexPtr() + blocks.outerIndexPtr()[column + 1];
-        m_mixed[3 * f + k] = m_hessian.outerIndexPtr()[2 * column]
-                           + 2 * int(std::lower_bound(first, last, row) - first);
+        m_mixed[h] = m_hessian.outerIndexPtr()[2 * column] + 2 * int(std::lower_bound(first, last, row) - first);
       }
+    });
   }
 
   Execution m_execution = Execution::SEQUENTIAL;
