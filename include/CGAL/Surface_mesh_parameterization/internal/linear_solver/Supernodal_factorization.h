@@ -98,12 +98,18 @@ public:
   {
     const int n = m_supernodes.number_of_columns();
     Eigen::VectorXd fronts(m_starts_of_rows.back()), result(n); // parts of vectors, at the rows of each supernode
-    for(int i = 0; i < n; ++i)
-      fronts[m_rows[i]] = right[i];
+    const auto for_each_unknown = [&](const auto& f)
+    {
+      execute_blocks(m_execution, n, [&](int begin, int end)
+      {
+        for(int i = begin; i < end; ++i)
+          f(i);
+      });
+    };
+    for_each_unknown([&](int i) { fronts[m_rows[i]] = right[i]; });
     m_schedule.ascend(m_execution, [&](int s) { solve_forward(s, fronts); });
     m_schedule.descend(m_execution, [&](int s) { solve_backward(s, fronts); });
-    for(int i = 0; i < n; ++i)
-      result[i] = fronts[m_rows[i]];
+    for_each_unknown([&](int i) { result[i] = fronts[m_rows[i]]; });
     return result;
   }
 
