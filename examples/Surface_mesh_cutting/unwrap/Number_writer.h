@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,6 +42,9 @@ public:
       return std::to_chars(first, last, double(std::llround(coarse.number * 100)) / 100); });
     return *this;
   }
+
+  // Makes room for more text.
+  void reserve(std::size_t length) { m_text.reserve(m_text.size() + length); }
 
   const std::string& text() const & { return m_text; }
   std::string text() && { return std::move(m_text); }

@@ -3,6 +3,7 @@
 #include "Output_places.h"
 #include "options.h"
 #include "outputs.h"
+#include "reuse_memory.h"
 #include "stop_request.h"
 #include "unwrap_file.h"
 
@@ -60,6 +61,7 @@ void print_messages(const Options& options, const Outcome& outcome)
 
 int main(int argc, char** argv)
 {
+  reuse_memory();
   for(const int signal : {SIGPIPE, SIGXFSZ}) // closed pipes and limits of size are errors of writing
     std::signal(signal, SIG_IGN);
   watch_for_signals();

@@ -18,8 +18,8 @@ using Point_map = Mesh::Property_map<Vertex, Kernel::Point_3>;
 class Layout_builder
 {
 public:
-  Layout_builder(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup)
-    : m_surface(surface), m_mesh(surface.mesh), m_is_cut(is_cut), m_uvs(uvs), m_soup(soup),
+  Layout_builder(const Surface& surface, Cut_map is_cut, const Polygon_soup& soup)
+    : m_surface(surface), m_mesh(surface.mesh), m_is_cut(is_cut), m_soup(soup),
       m_uv_vertices(m_mesh.num_halfedges(), -1), m_layout(layout_without_uvs(soup))
   {}
 
@@ -94,15 +94,8 @@ private:
   // Gives one UV vertex to all corners around the target of `start` that no cut separates.
   void add_uv_vertex(Halfedge start)
   {
-    const Kernel::Point_2& uv = get(m_uvs, start);
-    if(!std::isfinite(uv.x()) || !std::isfinite(uv.y()))
-      throw Failure(Exit_code::FAILED, "a texture coordinate is not finite");
-    const auto assign = [&](Halfedge h)
-    {
-      if(get(m_uvs, h) != uv)
-        throw Failure(Exit_code::FAILED, "texture coordinates differ where there is no cut");
-      m_uv_vertices[h] = int(m_layout.uv_points.size());
-    };
+    const int number = m_number_of_uv_vertices++;
+    const auto assign = [&](Halfedge h) { m_uv_vertices[h] = number; };
     assign(start);
     Halfedge h = start; // turn one way, and if that does not close, the other one
     while(!is_separated(h) && m_mesh.prev(m_mesh.opposite(h)) != start)
@@ -110,15 +103,14 @@ private:
     if(is_separated(h))
       for(h = start; !is_separated(m_mesh.next(h));)
         assign(h = m_mesh.opposite(m_mesh.next(h)));
-    m_layout.uv_points.push_back({{uv.x(), uv.y()}});
   }
 
   const Surface& m_surface;
   const Mesh& m_mesh;
   Cut_map m_is_cut;
-  UV_map m_uvs;
   const Polygon_soup& m_soup;
   std::vector<int> m_uv_vertices; // per halfedge: of the corner at its target
+  int m_number_of_uv_vertices = 0;
   Layout m_layout;
 };
 
@@ -139,9 +131,25 @@ Layout layout_without_uvs(const Polygon_soup& soup)
   return layout;
 }
 
-Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup, double uv_scale)
+Layout make_layout(const Surface& surface, Cut_map is_cut, const Polygon_soup& soup)
 {
-  Layout layout = Layout_builder(surface, is_cut, uvs, soup).build();
-  layout.uv_scale = uv_scale;
-  return layout;
+  return Layout_builder(surface, is_cut, soup).build();
+}
+
+void place_uv_vertices(const Surface& surface, UV_map uvs, Layout& layout)
+{
+  for(std::size_t corner = 0; corner < layout.corner_uvs.size(); ++corner)
+  {
+    const Kernel::Point_2& uv = get(uvs, surface.halfedges[corner]);
+    const std::array<double, 2> point = {{uv.x(), uv.y()}};
+    const std::size_t number = std::size_t(layout.corner_uvs[corner]); // in the order in which the corners meet them
+    if(number == layout.uv_points.size())
+    {
+      if(!std::isfinite(uv.x()) || !std::isfinite(uv.y()))
+        throw Failure(Exit_code::FAILED, "a texture coordinate is not finite");
+      layout.uv_points.push_back(point);
+    }
+    else if(layout.uv_points[number] != point)
+      throw Failure(Exit_code::FAILED, "texture coordinates differ where there is no cut");
+  }
 }

@@ -9,8 +9,10 @@
 Layout layout_without_uvs(const Polygon_soup& soup);
 
 // The layout as it is to be written, with the vertices and polygons of `soup`, from which `surface` was
-// read. `uv_scale`: of the UVs, per unit of length. Feature points are left to the caller.
-// Throws a `Failure` if the UVs are not those of a layout cut exactly at the marked edges.
-Layout make_layout(const Surface& surface, Cut_map is_cut, UV_map uvs, const Polygon_soup& soup, double uv_scale);
+// read. Where its UV vertices lie, and feature points, are left to the caller.
+Layout make_layout(const Surface& surface, Cut_map is_cut, const Polygon_soup& soup);
+
+// Places the UV vertices. Throws a `Failure` if the UVs are not those of a layout cut exactly at the marked edges.
+void place_uv_vertices(const Surface& surface, UV_map uvs, Layout& layout);
 
 #endif // UNWRAP_MAKE_LAYOUT_H

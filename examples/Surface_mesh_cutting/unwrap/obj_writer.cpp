@@ -2,6 +2,7 @@
 
 #include "Number_writer.h"
 #include "texture.h"
+#include "write_in_blocks.h"
 
 #include <algorithm>
 #include <string_view>
@@ -17,40 +18,68 @@ void write_point(const std::array<double, 3>& point, std::string_view end, Numbe
 void write_points(const Layout& layout, Number_writer& out)
 {
   const std::vector<std::string>& ends = layout.obj_statements.point_ends;
-  for(std::size_t v = 0; v < layout.points.size(); ++v)
+  write_in_blocks(layout.points.size(), [&](std::size_t begin, std::size_t end, Number_writer& block)
   {
-    Number_writer color;
-    if(ends.empty() && !layout.colors.empty())
-      for(const double channel : layout.colors[v])
-        color << " " << channel;
-    write_point(layout.points[v], ends.empty() ? color.text() : ends[v], out);
+    for(std::size_t v = begin; v < end; ++v)
+    {
+      Number_writer color;
+      if(ends.empty() && !layout.colors.empty())
+        for(const double channel : layout.colors[v])
+          color << " " << channel;
+      write_point(layout.points[v], ends.empty() ? color.text() : ends[v], block);
+    }
+  }, out);
+}
+
+void write_uvs(const Layout& layout, Number_writer& out)
+{
+  write_in_blocks(layout.uv_points.size(), [&](std::size_t begin, std::size_t end, Number_writer& block)
+  {
+    for(std::size_t v = begin; v < end; ++v)
+      block << "vt " << layout.uv_points[v][0] << " " << layout.uv_points[v][1] << "\n";
+  }, out);
+}
+
+void write_polygon(const Layout& layout, std::size_t polygon, Number_writer& out)
+{
+  out << "f";
+  for(std::size_t corner = polygon == 0 ? 0 : layout.polygon_ends[polygon - 1]; corner < layout.polygon_ends[polygon];
+      ++corner)
+  {
+    out << " " << layout.corners[corner] + 1 << "/" << layout.corner_uvs[corner] + 1;
+    if(!layout.corner_normals.empty() && layout.corner_normals[corner] >= 0)
+      out << "/" << layout.corner_normals[corner] + 1;
   }
+  out << "\n";
 }
 
 void write_polygons(const Layout& layout, bool has_own_material, Number_writer& out)
 {
-  const Obj_statements& statements = layout.obj_statements;
-  std::size_t corner = 0;
-  auto line = statements.lines.begin();
-  const auto write_lines_before = [&](int polygon)
+  using Line = Obj_statements::Line;
+  const std::vector<Line>& lines = layout.obj_statements.lines;
+  const auto first_line_from = [&](std::size_t polygon)
   {
-    for(; line != statements.lines.end() && line->polygon <= polygon; ++line)
-      if(!has_own_material || (line->text.rfind("usemtl", 0) != 0 && line->text.rfind("mtllib", 0) != 0))
-        out << line->text << "\n";
+    return std::partition_point(lines.begin(), lines.end(),
+                                [&](const Line& line) { return line.polygon < int(polygon); });
   };
-  for(std::size_t polygon = 0; polygon < layout.polygon_ends.size(); ++polygon)
+  const auto write_line = [&](const Line& line, Number_writer& block)
   {
-    write_lines_before(int(polygon));
-    out << "f";
-    for(; corner < layout.polygon_ends[polygon]; ++corner)
+    if(!has_own_material || (line.text.rfind("usemtl", 0) != 0 && line.text.rfind("mtllib", 0) != 0))
+      block << line.text << "\n";
+  };
+  const std::size_t size = layout.polygon_ends.size();
+  write_in_blocks(size, [&](std::size_t begin, std::size_t end, Number_writer& block)
+  {
+    auto line = first_line_from(begin);
+    for(std::size_t polygon = begin; polygon < end; ++polygon)
     {
-      out << " " << layout.corners[corner] + 1 << "/" << layout.corner_uvs[corner] + 1;
-      if(!layout.corner_normals.empty() && layout.corner_normals[corner] >= 0)
-        out << "/" << layout.corner_normals[corner] + 1;
+      for(; line != lines.end() && line->polygon <= int(polygon); ++line)
+        write_line(*line, block);
+      write_polygon(layout, polygon, block);
     }
-    out << "\n";
-  }
-  write_lines_before(int(layout.polygon_ends.size()));
+  }, out);
+  for(auto line = first_line_from(size); line != lines.end(); ++line)
+    write_line(*line, out);
 }
 
 } // namespace
@@ -61,8 +90,7 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
   if(!material_file.empty())
     out << "mtllib " << material_file << "\n";
   write_points(layout, out);
-  for(const auto& uv : layout.uv_points)
-    out << "vt " << uv[0] << " " << uv[1] << "\n";
+  write_uvs(layout, out);
   for(const std::array<double, 3>& normal : layout.normals)
     out << "vn " << normal[0] << " " << normal[1] << " " << normal[2] << "\n";
   if(!material_file.empty())

@@ -1,6 +1,7 @@
 #include "outputs.h"
 
 #include "Output_files.h"
+#include "Thread_limit.h"
 #include "file_extension.h"
 #include "gltf_writer.h"
 #include "html_writer.h"
@@ -35,6 +36,7 @@ std::string material_file_name(const Output_places& places, const Options& optio
 
 void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome)
 {
+  const Thread_limit limit(options.threads);
   const std::string report = to_json(outcome); // once, as what it says of memory changes
   Output_files files;
   if(is_glb(options.output))

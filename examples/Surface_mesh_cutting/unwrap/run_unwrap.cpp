@@ -2,6 +2,7 @@
 
 #include "Constraints.h"
 #include "Progress_visitor.h"
+#include "Thread_limit.h"
 #include "make_layout.h"
 #include "pack.h"
 #include "stop_request.h"
@@ -11,13 +12,13 @@
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
 #endif
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
 #include <tbb/info.h>
 #endif
 
@@ -215,10 +216,7 @@ int available_threads()
 
 Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& options, Outcome& outcome)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    std::size_t(options.threads));
-#endif
+  const Thread_limit limit(options.threads);
   using namespace CGAL::Surface_mesh_parameterization::internal;
   constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
   Mesh& mesh = surface.mesh;
@@ -232,9 +230,13 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   if(!outcome.has_result)
     return {};
 
-  pack(mesh, is_cut, uvs, options, outcome);
+  // On other polygons, both make an adapter, and each would add properties to the mesh.
+  const Execution on_triangles = CGAL::is_triangle_mesh(mesh) ? execution : Execution::SEQUENTIAL;
   Layout layout;
-  execute_both(execution, [&] { layout = make_layout(surface, is_cut, uvs, soup, outcome.uv_scale.value_or(1)); }, [&]
+  execute_both(on_triangles, [&] { pack(mesh, is_cut, uvs, options, outcome); },
+               [&] { layout = make_layout(surface, is_cut, soup); });
+  layout.uv_scale = outcome.uv_scale.value_or(1);
+  execute_both(execution, [&] { place_uv_vertices(surface, uvs, layout); }, [&]
   {
     if(!options.json.empty() || !options.html.empty())
       outcome.distortion = SMC::distortion_report(mesh, is_cut, uvs);

@@ -114,6 +114,11 @@ private:
       }
 
     std::vector<std::vector<CGAL::internal::Graph_kernel::Edge> > edges(parts.size());
+    if(parts.size() == 1)
+    {
+      parts.front().edges.reserve(m_surface.graph.edges.size());
+      edges.front().reserve(m_surface.graph.edges.size());
+    }
     for(int e = 0; e < m_surface.graph.number_of_edges(); ++e)
     {
       if(m_constraints.is_forbidden(m_mesh.edge(halfedge(e))))

@@ -67,17 +67,17 @@ inline std::vector<Eigen::Vector2d> moved_charts(const Corner_table& chart, cons
 // scale, which keeps the margins, rounds differently.
 inline Indexed_status certify_rounded(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
                                       const Packing_parameters& parameters, const Round& round,
-                                      std::vector<Eigen::Vector2d>& held)
+                                      Execution execution, std::vector<Eigen::Vector2d>& held)
 {
   const auto status_of = [&]
   {
-    const Certificate certificate = certify(chart, held, parameters.do_bijective);
+    const Certificate certificate = certify(chart, held, parameters.do_bijective, execution);
     return certificate ? Packing_certificate(chart, held, parameters.margin).status() : certificate.status();
   };
   for(const Eigen::Vector2d& u : uv)
     held.push_back(round(u));
   Indexed_status status = status_of();
-  if(status || !certify(chart, uv, parameters.do_bijective))
+  if(status || !certify(chart, uv, parameters.do_bijective, execution))
     return status;
   for(const double shrinking : {0., 0.0002, 0.0005, 0.001})
   {
@@ -98,8 +98,9 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
                                     const Packing_parameters& parameters, const Round& round, Run_control& control)
 {
   constexpr double reserve = 1.002; // for rounding, of the margin
+  constexpr Execution execution = Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>();
   Indexed_packing packing;
-  packing.status = certify_corners(chart, corner_uv, false).status();
+  packing.status = certify_corners(chart, corner_uv, false, execution).status();
   if(!packing.status)
     return packing;
   const Connected_parts parts(chart.opposites());
@@ -118,7 +119,7 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   if(!packed)
     return packing;
   packing.status = certify_rounded(chart, moved_charts(chart, parts, outlines, factor, *packed, uv), parameters, round,
-                                   packing.uv);
+                                   execution, packing.uv);
   if(!packing.status)
     return packing;
   packing.has_result = true;

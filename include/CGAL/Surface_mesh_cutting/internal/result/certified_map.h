@@ -64,13 +64,13 @@ inline std::vector<Eigen::Vector2d> rounded_without_flips(const Corner_table& ch
 // The map rounded as it will be held, certified; what rounding spoils is repaired, if need be at scales that
 // round differently.
 inline Certified_map certified_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv, bool do_bijective,
-                                   const Round& round)
+                                   const Round& round, Execution execution)
 {
   Certified_map held;
   for(const Eigen::Vector2d& u : uv)
     held.uv.push_back(round(u));
-  held.certificate = certify(chart, held.uv, do_bijective);
-  if(held.certificate || !certify(chart, uv, do_bijective))
+  held.certificate = certify(chart, held.uv, do_bijective, execution);
+  if(held.certificate || !certify(chart, uv, do_bijective, execution))
     return held;
   // A thousandth of scale costs a millionth of energy.
   for(double scale : {1., 1.0007, 0.9993, 1.0019, 0.9981})
@@ -79,7 +79,7 @@ inline Certified_map certified_map(const Corner_table& chart, const std::vector<
     for(Eigen::Vector2d& u : scaled)
       u *= scale;
     held.uv = rounded_without_flips(chart, scaled, do_bijective, round);
-    held.certificate = certify(chart, held.uv, do_bijective);
+    held.certificate = certify(chart, held.uv, do_bijective, execution);
     if(held.certificate)
       break;
   }

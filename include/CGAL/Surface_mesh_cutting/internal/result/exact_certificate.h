@@ -35,6 +35,8 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // What the exact check of a map to the plane found.
+using Surface_mesh_parameterization::internal::Execution;
+
 struct Certificate
 {
   int non_finite = 0;   // triangles with a coordinate that is infinite or not a number
@@ -68,13 +70,13 @@ struct Certificate
 
 // The triangles that are not strictly counterclockwise.
 inline Certificate certify_triangles(const std::vector<Triangle>& triangles,
-                                     const std::vector<Eigen::Vector2d>& uv)
+                                     const std::vector<Eigen::Vector2d>& uv, Execution execution)
 {
   using Surface_mesh_parameterization::internal::count_flips;
   using Surface_mesh_parameterization::internal::is_finite;
 
   Certificate certificate;
-  certificate.flips = count_flips(triangles, uv, &certificate.faces);
+  certificate.flips = count_flips(triangles, uv, &certificate.faces, execution);
   // A triangle with a value that is not finite is never counterclockwise.
   for(int f : certificate.faces)
   {
@@ -88,9 +90,9 @@ inline Certificate certify_triangles(const std::vector<Triangle>& triangles,
 // Checks with exact predicates that `uv`, one per chart vertex, is finite and maps each triangle to
 // a strictly counterclockwise one and, on request, that no two triangles overlap.
 inline Certificate certify(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
-                           bool do_bijective)
+                           bool do_bijective, Execution execution = Execution::SEQUENTIAL)
 {
-  Certificate certificate = certify_triangles(chart.triangles(), uv);
+  Certificate certificate = certify_triangles(chart.triangles(), uv, execution);
   if(!do_bijective || certificate.non_finite > 0)
     return certificate;
   const Connected_parts parts(chart.opposites());
@@ -122,7 +124,7 @@ inline std::vector<Eigen::Vector2d> vertex_uvs(const Corner_table& chart, const 
 // The same for UVs given per corner, which have to agree at each chart vertex.
 inline Certificate certify_corners(const Corner_table& chart,
                                    const std::vector<Eigen::Vector2d>& corner_uv,
-                                   bool do_bijective)
+                                   bool do_bijective, Execution execution = Execution::SEQUENTIAL)
 {
   std::vector<Eigen::Vector2d> uv(chart.number_of_vertices(), Eigen::Vector2d::Zero());
   std::vector<char> is_set(uv.size(), 0);
@@ -136,12 +138,12 @@ inline Certificate certify_corners(const Corner_table& chart,
       torn.push_back(h / 3);
   }
   if(torn.empty())
-    return certify(chart, uv, do_bijective);
+    return certify(chart, uv, do_bijective, execution);
 
   std::vector<Triangle> triangles;
   for(int h = 0; h < int(corner_uv.size()); h += 3)
     triangles.push_back({h, h + 1, h + 2});
-  Certificate certificate = certify_triangles(triangles, corner_uv);
+  Certificate certificate = certify_triangles(triangles, corner_uv, execution);
   certificate.torn = int(torn.size());
   std::vector<int> faces;
   std::set_union(certificate.faces.begin(), certificate.faces.end(), torn.begin(), torn.end(),

@@ -312,7 +312,7 @@ private:
     Certified_map map;
     Indexed_status disks;
     execute_both(execution, [&] { disks = check_disks(result.chart); },
-                 [&] { map = certified_map(result.chart, result.uv, do_bijective, m_round); });
+                 [&] { map = certified_map(result.chart, result.uv, do_bijective, m_round, execution); });
     result.uv = std::move(map.uv);
     result.flips = map.certificate.flips;
     if(do_bijective)

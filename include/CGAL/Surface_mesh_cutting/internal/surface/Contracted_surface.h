@@ -51,6 +51,8 @@ struct Contracted_surface
         node = number_of_nodes++;
 
     std::vector<CGAL::internal::Graph_kernel::Edge> edges;
+    edges.reserve(chart.opposites().size() / 2);
+    halfedges.reserve(chart.opposites().size() / 2);
     for(int h = 0; h < int(chart.opposites().size()); ++h)
       if(h < chart.opposite(h))
       {

@@ -90,6 +90,7 @@ inline std::vector<int> faces_around(const Indexed_mesh& mesh, int face, std::ve
 inline std::vector<int> edges_in_whole(const Indexed_mesh& mesh, const std::vector<int>& faces, const Indexed_mesh& whole)
 {
   std::vector<int> edges;
+  edges.reserve(std::size_t(mesh.number_of_edges()));
   for(int e = 0; e < mesh.number_of_edges(); ++e)
   {
     const int h = mesh.halfedge(e);
@@ -111,6 +112,7 @@ inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<i
   if(int(faces.size()) <= number_of_faces_beyond_caches)
     std::sort(component.vertices.begin(), component.vertices.end());
   std::vector<Point> points;
+  points.reserve(component.vertices.size());
   for(int v : component.vertices)
   {
     new_vertex[v] = int(points.size());
@@ -121,6 +123,8 @@ inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<i
       new_halfedge[3 * faces[i] + k] = 3 * int(i) + k;
   std::vector<Triangle> triangles;
   std::vector<int> opposites;
+  triangles.reserve(faces.size());
+  opposites.reserve(3 * faces.size());
   for(int f : faces)
   {
     const Triangle& t = whole.triangles()[f];
@@ -137,8 +141,8 @@ inline Indexed_component make_component(const Indexed_mesh& whole, std::vector<i
 }
 
 // The components in the order of their lowest faces. A small connected mesh without isolated vertices is
-// moved. O(n log n).
-inline std::vector<Indexed_component> split_into_components(Indexed_mesh whole)
+// copied. O(n log n).
+inline std::vector<Indexed_component> split_into_components(const Indexed_mesh& whole)
 {
   const Connected_parts parts(whole.opposites());
   const std::vector<Topology> topology
@@ -162,7 +166,7 @@ inline std::vector<Indexed_component> split_into_components(Indexed_mesh whole)
     c.edges = identity(whole.number_of_edges());
     c.faces = identity(whole.number_of_faces());
     c.topology = topology.front();
-    c.mesh = std::move(whole);
+    c.mesh = whole;
     return components;
   }
 

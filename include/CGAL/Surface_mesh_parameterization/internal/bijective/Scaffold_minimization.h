@@ -149,7 +149,7 @@ private:
     const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
     total.decrement = result.decrement;
-    if(result.outcome == Newton_outcome::FAILED || count_flips(triangles, uv) > 0)
+    if(result.outcome == Newton_outcome::FAILED || count_flips(triangles, uv, nullptr, m_linear_solvers.execution()) > 0)
       return Newton_result();
     uv.resize(n);
     return result;

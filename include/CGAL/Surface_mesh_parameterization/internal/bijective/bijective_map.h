@@ -35,9 +35,10 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // Whether `uv` flips no triangle and is injective up to contact; exact.
-inline bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
+inline bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
+                         Execution execution = Execution::SEQUENTIAL)
 {
-  if(count_flips(chart.triangles(), uv) > 0)
+  if(count_flips(chart.triangles(), uv, nullptr, execution) > 0)
     return false;
   const Border_overlaps overlaps(chart, Connected_parts(chart.opposites()), uv);
   return overlaps.crossings().empty() && overlaps.containments().empty();
@@ -75,7 +76,8 @@ inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vec
     return result.energy > hopeless_energy ? Newton_outcome::STOPPED : result.outcome;
   };
   constexpr bool keeps_region = true;
-  const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map); };
+  const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map)
+  { return is_bijective(chart, map, linear_solvers.execution()); };
   return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, coarsest_size(chart.number_of_vertices()),
                                                    linear_solvers, optimize, is_valid, uv);
 }
@@ -93,7 +95,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
     flat.emplace_back(p.x(), p.y(), 0);
   Stages_outcome outcome = bijective_stages(chart, flat, linear_solvers, options, hopeless_energy, uv);
   if(outcome == Stages_outcome::MAPPED)
-    improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv);
+    improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv, linear_solvers.execution());
   else if(outcome == Stages_outcome::FAILED)
     outcome = bijective_stages(chart, points, linear_solvers, options, hopeless_energy, uv);
   if(outcome != Stages_outcome::FAILED)
@@ -103,7 +105,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
   Scaffold_options tutte_options = options;
   tutte_options.moves_scaffold = true;
   Scaffold_minimization(chart, shapes, linear_solvers, tutte_options)(uv);
-  return is_bijective(chart, uv);
+  return is_bijective(chart, uv, linear_solvers.execution());
 }
 
 // As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
@@ -115,7 +117,7 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
                                     const Newton_options& options,
                                     double hopeless_energy = std::numeric_limits<double>::infinity())
 {
-  if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv))
+  if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv, linear_solvers.execution()))
     return isometric;
   Scaffold_options scaffold_options;
   scaffold_options.go_further = options.go_further;
@@ -125,7 +127,7 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
   scaffold_options.least_decrease = options.least_decrease;
   scaffold_options.least_energy = isometric.energy;
   const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
-  return is_bijective(chart, uv) ? result : Newton_result();
+  return is_bijective(chart, uv, linear_solvers.execution()) ? result : Newton_result();
 }
 
 // The same without a map to start with. `points` holds the position of each chart vertex on the

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 
@@ -48,17 +49,25 @@ inline bool is_counterclockwise(const Eigen::Vector2d& a, const Eigen::Vector2d&
 // are appended to `witness`.
 inline int count_flips(const std::vector<Triangle>& triangles,
                        const std::vector<Eigen::Vector2d>& uv,
-                       std::vector<int>* witness = nullptr)
+                       std::vector<int>* witness = nullptr, Execution execution = Execution::SEQUENTIAL)
 {
-  int flips = 0;
-  for(std::size_t t = 0; t < triangles.size(); ++t)
+  const int size = int(triangles.size());
+  std::vector<std::vector<int> > flipped(number_of_blocks(size));
+  execute_blocks(execution, size, [&](int begin, int end)
   {
-    const Triangle& v = triangles[t];
-    if(is_counterclockwise(uv[v[0]], uv[v[1]], uv[v[2]]))
-      continue;
-    ++flips;
+    for(int t = begin; t < end; ++t)
+    {
+      const Triangle& v = triangles[t];
+      if(!is_counterclockwise(uv[v[0]], uv[v[1]], uv[v[2]]))
+        flipped[begin / block_size].push_back(t);
+    }
+  });
+  int flips = 0;
+  for(const std::vector<int>& block : flipped)
+  {
+    flips += int(block.size());
     if(witness != nullptr)
-      witness->push_back(int(t));
+      witness->insert(witness->end(), block.begin(), block.end());
   }
   return flips;
 }

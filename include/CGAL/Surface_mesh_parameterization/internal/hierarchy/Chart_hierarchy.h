@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -148,7 +149,7 @@ public:
         return false;
     }
     constexpr int number_of_rounds = 2; // they take out what would hold up the global solve
-    const std::vector<Rest_shape> shapes = shapes_of_triangles(); // each is needed for several stars and rounds
+    const Shapes shapes = shapes_of_triangles(); // each is needed for several stars and rounds
     for(int round = 0; round < number_of_rounds; ++round)
       for(std::vector<Refinement<Energy> >& regions : undone)
         execute(m_execution, int(regions.size()), [&](int r) { regions[r].improve(shapes); });
@@ -156,6 +157,9 @@ public:
   }
 
 private:
+  // Per triangle, of those that are not dormant. Not a vector, which would fill all of it first, with one thread.
+  using Shapes = std::unique_ptr<Rest_shape[]>;
+
   // Undoes the collapses of a log.
   template <typename Energy>
   class Refinement
@@ -179,7 +183,7 @@ private:
     }
 
     // Places the vertices once more: their stars have changed.
-    void improve(const std::vector<Rest_shape>& shapes)
+    void improve(const Shapes& shapes)
     {
       const auto shape_from = [&shapes](int h) { return rotated(shapes[h / 3], h % 3); };
       for(int v : m_placed)
@@ -311,10 +315,11 @@ private:
     return std::find(is_extended.begin(), is_extended.end(), char(0)) == is_extended.end();
   }
 
-  std::vector<Rest_shape> shapes_of_triangles() const
+  Shapes shapes_of_triangles() const
   {
-    std::vector<Rest_shape> shapes(m_chart.triangles().size());
-    execute_blocks(m_execution, int(shapes.size()), [&](int begin, int end)
+    const int size = int(m_chart.triangles().size());
+    Shapes shapes(new Rest_shape[size]);
+    execute_blocks(m_execution, size, [&](int begin, int end)
     {
       for(int t = begin; t < end; ++t)
         if(!m_chart.is_dormant(t))

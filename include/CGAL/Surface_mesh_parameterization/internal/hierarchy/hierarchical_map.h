@@ -110,8 +110,8 @@ Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eig
     Newton_solver solver(stage.chart.triangles(), stage.chart.number_of_vertices(), linear_solvers);
     return solver.minimize<Energy>(stage.shapes, area_weights(stage.shapes), stage_uv, options).outcome;
   };
-  const auto is_valid = [&chart](const std::vector<Eigen::Vector2d>& map)
-  { return count_flips(chart.triangles(), map) == 0; };
+  const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map)
+  { return count_flips(chart.triangles(), map, nullptr, linear_solvers.execution()) == 0; };
   constexpr int coarsest_size = 250;
   return map_by_stages<Energy>(chart, points, false, coarsest_size, linear_solvers, optimize, is_valid, uv);
 }

@@ -29,7 +29,8 @@ namespace internal {
 // Moves each inner vertex of a flip-free map to where the energy of its star is least, one after the other. A few rounds
 // take out what is wrong in single places, for a fraction of what a global step costs; the border stays where it is. O(n).
 template <typename Energy>
-void improve_stars(const Corner_table& chart, const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv)
+void improve_stars(const Corner_table& chart, const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv,
+                   Execution execution = Execution::SEQUENTIAL)
 {
   constexpr int number_of_rounds = 2;
   std::vector<int> halfedges(chart.number_of_vertices(), -1); // one that leaves each inner vertex
@@ -56,7 +57,7 @@ void improve_stars(const Corner_table& chart, const std::vector<Rest_shape>& sha
       while(h != first);
       Star_placement<Energy>::improve(star, improved[v]);
     }
-  if(count_flips(chart.triangles(), improved) == 0) // exact, unlike the steps
+  if(count_flips(chart.triangles(), improved, nullptr, execution) == 0) // exact, unlike the steps
     uv.swap(improved);
 }
 

@@ -98,12 +98,18 @@ public:
   {
     const int n = m_supernodes.number_of_columns();
     Eigen::VectorXd fronts(m_starts_of_rows.back()), result(n); // parts of vectors, at the rows of each supernode
-    for(int i = 0; i < n; ++i)
-      fronts[m_rows[i]] = right[i];
+    const auto for_each_unknown = [&](const auto& f)
+    {
+      execute_blocks(m_execution, n, [&](int begin, int end)
+      {
+        for(int i = begin; i < end; ++i)
+          f(i);
+      });
+    };
+    for_each_unknown([&](int i) { fronts[m_rows[i]] = right[i]; });
     m_schedule.ascend(m_execution, [&](int s) { solve_forward(s, fronts); });
     m_schedule.descend(m_execution, [&](int s) { solve_backward(s, fronts); });
-    for(int i = 0; i < n; ++i)
-      result[i] = fronts[m_rows[i]];
+    for_each_unknown([&](int i) { result[i] = fronts[m_rows[i]]; });
     return result;
   }
 
@@ -129,7 +135,10 @@ private:
     own.setZero();
     m_supernodes.for_each_entry(s, [&](int row, int column, int entry) { own(row, column) += values[entry]; });
     if(below > 0)
-      m_rests[s].reset(new double[std::size_t(below) * below]()); // zeros
+    {
+      m_rests[s].reset(new double[std::size_t(below) * below]);
+      set_lower_triangle_to_zero(m_rests[s].get(), below);
+    }
     for(int child = m_first_child[s]; child >= 0; child = m_next_sibling[child])
     {
       add_rest(child, own, s);

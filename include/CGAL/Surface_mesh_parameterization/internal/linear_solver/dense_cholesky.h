@@ -82,10 +82,25 @@ inline void subtract_thin_product(const Dense_block& a, Dense_block& c)
   }
 }
 
-// The same for any number of columns. Tiles do not depend on the number of threads.
+constexpr int tile_width = 96;
+
+// Sets what `subtract_product()` looks at: the lower triangle of a square matrix of this size, which is all of its
+// storage, and the rest of the tiles on the diagonal.
+inline void set_lower_triangle_to_zero(double* values, int size)
+{
+  const std::size_t stride = std::size_t(size);
+  std::fill_n(values, stride * (std::min)(size, tile_width), 0.);
+  for(int j = tile_width; j < size; ++j)
+  {
+    const int top = j / tile_width * tile_width;
+    std::fill_n(values + j * stride + top, size - top, 0.);
+  }
+}
+
+// The same as `subtract_thin_product()` for any number of columns. Tiles do not depend on the number of threads.
 inline void subtract_product(Execution execution, const Dense_block& a, Dense_block& c)
 {
-  constexpr int thin = 12, tile_width = 96, tile_height = 480;
+  constexpr int thin = 12, tile_height = 480;
   const int rows = int(c.rows()), columns = int(c.cols()), depth = int(a.cols());
   if(depth <= thin || rows <= 2 * thin)
   {

@@ -88,9 +88,12 @@ public:
       is_fixed.assign(number_of_vertices, 0);
       is_fixed[m_triangles.front()[0]] = 1;
     }
-    m_system = Newton_system(m_triangles, number_of_vertices, is_fixed, m_execution, ranks);
-    if(m_system.number_of_unknowns() > 0)
-      m_solver->analyze(m_system.hessian());
+    m_system = Newton_system(m_triangles, number_of_vertices, is_fixed, m_execution, ranks,
+                             [this](const Sparse_matrix& hessian)
+                             {
+                               if(hessian.cols() > 0)
+                                 m_solver->analyze(hessian);
+                             });
   }
 
   const std::vector<Triangle>& triangles() const { return m_triangles; }

@@ -23,9 +23,8 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,15 +38,26 @@ class Newton_system
 public:
   Newton_system() = default;
 
+  // What to do with the pattern of the Hessian once it is known.
+  using Analyze = std::function<void(const Sparse_matrix&)>;
+
   // Vertices with `is_fixed` have no unknowns (empty: none is fixed). The unknowns come in the order of the vertices'
   // `ranks`, ties by index; if there are none, an order that keeps the factors sparse is found. O(n log n).
   Newton_system(const std::vector<Triangle>& triangles, int number_of_vertices, const std::vector<char>& is_fixed,
-                Execution execution = Execution::SEQUENTIAL, const std::vector<int>& ranks = {})
+                Execution execution = Execution::SEQUENTIAL, const std::vector<int>& ranks = {},
+                const Analyze& analyze = [](const Sparse_matrix&) {})
     : m_execution(execution), m_positions(number_of_vertices, -1)
   {
-    order_unknowns(triangles, is_fixed, ranks);
-    build_pattern(triangles);
-    m_groups = Triangle_groups(triangles, m_positions, int(m_diagonal.size()));
+    const int number_of_positions = order_unknowns(triangles, is_fixed, ranks);
+    build_pattern(triangles, number_of_positions);
+    execute_in_isolation(m_execution, [&]
+    {
+      execute_both(m_execution, [&] { analyze(m_hessian); }, [&]
+      {
+        locate_mixed_blocks(triangles);
+        m_groups = Triangle_groups(triangles, m_positions, number_of_positions);
+      });
+    });
   }
 
   int number_of_unknowns() const { return int(m_gradient.size()); }
@@ -66,15 +76,21 @@ public:
                   const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv,
                   double shift)
   {
-    std::fill_n(m_hessian.valuePtr(), m_hessian.nonZeros(), 0.);
+    double* const values = m_hessian.valuePtr();
+    execute_blocks(m_execution, int(m_hessian.nonZeros()),
+                   [&](int begin, int end) { std::fill(values + begin, values + end, 0.); });
     m_gradient.setZero();
-    double* values = m_hessian.valuePtr();
-    const double energy = m_groups.sum(m_execution, [&](int f)
+    const auto terms_of = [&](int f)
     {
       Triangle_terms terms;
       const Triangle& t = triangles[f];
-      const double w = weights[f];
       triangle_terms<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], terms);
+      return terms;
+    };
+    const double energy = m_groups.sum(m_execution, terms_of, [&](int f, const Triangle_terms& terms)
+    {
+      const Triangle& t = triangles[f];
+      const double w = weights[f];
       for(int k = 0; k < 3; ++k)
       {
         const int p = m_positions[t[k]];
@@ -90,11 +106,14 @@ public:
       }
       return w * terms.value;
     });
-    for(std::size_t p = 0; p < m_diagonal.size(); ++p)
+    execute_blocks(m_execution, int(m_diagonal.size()), [&](int begin, int end)
     {
-      values[m_diagonal[p]] *= 1 + shift;
-      values[m_diagonal[p] + m_column_sizes[p] + 1] *= 1 + shift;
-    }
+      for(int p = begin; p < end; ++p)
+      {
+        values[m_diagonal[p]] *= 1 + shift;
+        values[m_diagonal[p] + m_column_sizes[p] + 1] *= 1 + shift;
+      }
+    });
     return energy;
   }
 
@@ -104,15 +123,21 @@ public:
                          const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv)
   {
     m_gradient.setZero();
-    m_groups.sum(m_execution, [&](int f)
+    struct Gradient { Eigen::Vector2d at_corners[3]; };
+    const auto gradient_of = [&](int f)
     {
-      Eigen::Vector2d gradient[3];
+      Gradient gradient;
       const Triangle& t = triangles[f];
-      const double energy = triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient);
+      triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], gradient.at_corners);
+      return gradient;
+    };
+    m_groups.sum(m_execution, gradient_of, [&](int f, const Gradient& gradient)
+    {
+      const Triangle& t = triangles[f];
       for(int k = 0; k < 3; ++k)
         if(m_positions[t[k]] >= 0)
-          m_gradient.segment<2>(2 * m_positions[t[k]]) += weights[f] * gradient[k];
-      return weights[f] * energy;
+          m_gradient.segment<2>(2 * m_positions[t[k]]) += weights[f] * gradient.at_corners[k];
+      return 0.;
     });
   }
 
@@ -136,8 +161,9 @@ private:
       add_to_block(values + entry, m_column_sizes[p], w * m(0, 0), w * m(1, 0), w * m(0, 1), w * m(1, 1));
   }
 
-  void order_unknowns(const std::vector<Triangle>& triangles, const std::vector<char>& is_fixed,
-                      const std::vector<int>& ranks)
+  // Returns the number of vertices with unknowns.
+  int order_unknowns(const std::vector<Triangle>& triangles, const std::vector<char>& is_fixed,
+                     const std::vector<int>& ranks)
   {
     std::vector<int> compact(m_positions.size(), -1);
     std::vector<int> vertices;
@@ -155,72 +181,74 @@ private:
                 [&](int v, int w) { return ranks[v] != ranks[w] ? ranks[v] < ranks[w] : v < w; });
       for(int i = 0; i < n; ++i)
         m_positions[vertices[i]] = i;
-      return;
+      return n;
     }
-    std::vector<std::array<int, 2> > pairs;
-    pairs.reserve(6 * triangles.size() + n);
+    const std::vector<int> order = fill_reducing_order(adjacency(n, [&](const auto& visit)
+    {
+      for(int i = 0; i < n; ++i)
+        visit(i, i);
+      for_each_edge(triangles, compact, [&](int p, int q)
+      {
+        visit(p, q);
+        visit(q, p);
+      });
+    }));
     for(int i = 0; i < n; ++i)
-      pairs.push_back({i, i});
+      m_positions[vertices[order[i]]] = i;
+    return n;
+  }
+
+  // Calls `visit(p, q)` for the sides of triangles both of whose ends have `numbers` that are not negative.
+  template <typename Visit>
+  static void for_each_edge(const std::vector<Triangle>& triangles, const std::vector<int>& numbers, const Visit& visit)
+  {
     for(const Triangle& t : triangles)
       for(int k = 0; k < 3; ++k)
       {
-        const int p = compact[t[k]], q = compact[t[(k + 1) % 3]];
+        const int p = numbers[t[k]], q = numbers[t[(k + 1) % 3]];
         if(p >= 0 && q >= 0)
-        {
-          pairs.push_back({p, q});
-          pairs.push_back({q, p});
-        }
+          visit(p, q);
       }
-    const std::vector<int> order = fill_reducing_order(adjacency(n, std::move(pairs)));
-    for(int i = 0; i < n; ++i)
-      m_positions[vertices[order[i]]] = i;
   }
 
-  // Pairs of column and row, any of them several times. Sorted by rows first, they are sorted in each column, too.
-  static Sparse_matrix adjacency(int n, std::vector<std::array<int, 2> > pairs)
+  // `for_each_pair(visit)` calls `visit(column, row)`, for any of them several times.
+  template <typename ForEachPair>
+  Sparse_matrix adjacency(int n, const ForEachPair& for_each_pair) const
   {
-    pairs = sorted_by(1, n, pairs);
-    pairs = sorted_by(0, n, pairs);
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    Sparse_matrix matrix(n, n);
-    matrix.resizeNonZeros(Eigen::Index(pairs.size()));
-    std::fill_n(matrix.outerIndexPtr(), n + 1, 0);
-    for(std::size_t i = 0; i < pairs.size(); ++i)
+    std::vector<int> starts(n + 1, 0);
+    for_each_pair([&](int column, int) { ++starts[column + 1]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<int> rows(starts.back()), ends(starts.begin(), starts.end() - 1);
+    for_each_pair([&](int column, int row) { rows[ends[column]++] = row; });
+    const auto first_row = [&](int column) { return rows.begin() + starts[column]; };
+    execute_blocks(m_execution, n, [&](int begin, int end)
     {
-      ++matrix.outerIndexPtr()[pairs[i][0] + 1];
-      matrix.innerIndexPtr()[i] = pairs[i][1];
-      matrix.valuePtr()[i] = 1;
-    }
-    std::partial_sum(matrix.outerIndexPtr(), matrix.outerIndexPtr() + n + 1, matrix.outerIndexPtr());
+      for(int c = begin; c < end; ++c)
+      {
+        std::sort(first_row(c), rows.begin() + ends[c]);
+        ends[c] = int(std::unique(first_row(c), rows.begin() + ends[c]) - rows.begin());
+      }
+    });
+    Sparse_matrix matrix(n, n);
+    int* const outer = matrix.outerIndexPtr();
+    outer[0] = 0;
+    for(int c = 0; c < n; ++c)
+      outer[c + 1] = outer[c] + ends[c] - starts[c];
+    matrix.resizeNonZeros(outer[n]);
+    execute_blocks(m_execution, n, [&](int begin, int end)
+    {
+      for(int c = begin; c < end; ++c)
+        std::copy(first_row(c), rows.begin() + ends[c], matrix.innerIndexPtr() + outer[c]);
+      std::fill(matrix.valuePtr() + outer[begin], matrix.valuePtr() + outer[end], 1.);
+    });
     return matrix;
   }
 
-  // Those with the same member `k`, which is below `n`, keep their order.
-  static std::vector<std::array<int, 2> > sorted_by(int k, int n, const std::vector<std::array<int, 2> >& pairs)
+  // `n`: the number of positions.
+  void build_pattern(const std::vector<Triangle>& triangles, int n)
   {
-    std::vector<int> ends(n + 1, 0);
-    for(const auto& p : pairs)
-      ++ends[p[k] + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<std::array<int, 2> > sorted(pairs.size());
-    for(const auto& p : pairs)
-      sorted[ends[p[k]]++] = p;
-    return sorted;
-  }
-
-  void build_pattern(const std::vector<Triangle>& triangles)
-  {
-    const int n = 1 + (m_positions.empty() ? -1 : *std::max_element(m_positions.begin(), m_positions.end()));
-    std::vector<std::array<int, 2> > pairs; // column, row with row < column
-    pairs.reserve(3 * triangles.size());
-    for(const Triangle& t : triangles)
-      for(int k = 0; k < 3; ++k)
-      {
-        const int p = m_positions[t[k]], q = m_positions[t[(k + 1) % 3]];
-        if(p >= 0 && q >= 0)
-          pairs.push_back({(std::max)(p, q), (std::min)(p, q)});
-      }
-    const Sparse_matrix blocks = adjacency(n, std::move(pairs));
+    const Sparse_matrix blocks = adjacency(n, [&](const auto& visit)
+    { for_each_edge(triangles, m_positions, [&](int p, int q) { visit((std::max)(p, q), (std::min)(p, q)); }); });
 
     m_hessian.resize(2 * n, 2 * n);
     m_hessian.resizeNonZeros(4 * blocks.nonZeros() + 3 * n);
@@ -249,24 +277,25 @@ private:
       }
     outer[2 * n] = entry;
     m_gradient.setZero(2 * n);
-    locate_mixed_blocks(triangles, blocks);
   }
 
-  void locate_mixed_blocks(const std::vector<Triangle>& triangles, const Sparse_matrix& blocks)
+  void locate_mixed_blocks(const std::vector<Triangle>& triangles)
   {
+    const int *const outer = m_hessian.outerIndexPtr(), *const inner = m_hessian.innerIndexPtr();
     m_mixed.assign(3 * triangles.size(), -1);
-    for(std::size_t f = 0; f < triangles.size(); ++f)
-      for(int k = 0; k < 3; ++k)
+    execute_blocks(m_execution, int(triangles.size()), [&](int begin, int end)
+    {
+      for(int h = 3 * begin; h < 3 * end; ++h)
       {
-        const int p = m_positions[triangles[f][k]], q = m_positions[triangles[f][(k + 1) % 3]];
+        const Triangle& t = triangles[h / 3];
+        const int p = m_positions[t[h % 3]], q = m_positions[t[(h + 1) % 3]];
         if(p < 0 || q < 0)
           continue;
         const int column = (std::max)(p, q), row = (std::min)(p, q);
-        const int* first = blocks.innerIndexPtr() + blocks.outerIndexPtr()[column];
-        const int* last = blocks.innerIndexPtr() + blocks.outerIndexPtr()[column + 1];
-        m_mixed[3 * f + k] = m_hessian.outerIndexPtr()[2 * column]
-                           + 2 * int(std::lower_bound(first, last, row) - first);
+        const int *const first = inner + outer[2 * column], *const last = inner + outer[2 * column + 1];
+        m_mixed[h] = outer[2 * column] + int(std::lower_bound(first, last, 2 * row) - first);
       }
+    });
   }
 
   Execution m_execution = Execution::SEQUENTIAL;

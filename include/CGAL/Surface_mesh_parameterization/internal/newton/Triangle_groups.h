@@ -62,26 +62,55 @@ public:
       m_triangles[ends[group(triangles[f])]++] = f;
   }
 
-  // Calls `add(f)` for each triangle and adds up what it returns.
-  template <typename Add>
-  double sum(Execution execution, const Add& add) const
+  // Calls `add(f, terms(f))` for each triangle and adds up what it returns. `terms` only looks, and may be called for
+  // several triangles at the same time whatever their vertices are.
+  template <typename Terms, typename Add>
+  double sum(Execution execution, const Terms& terms, const Add& add) const
   {
-    const int n = int(m_starts.size()) - 2; // the last group is the one of those between the others
-    std::vector<double> sums(n + 1, 0);
-    const auto sum_group = [&](int g)
+    const int n = int(m_starts.size()) - 2;
+    std::vector<double> sums(n, 0);
+    execute(execution, n, [&](int g)
     {
       for(int i = m_starts[g]; i < m_starts[g + 1]; ++i)
-        sums[g] += add(m_triangles[i]);
-    };
-    execute(execution, n, sum_group);
-    sum_group(n);
+        sums[g] += add(m_triangles[i], terms(m_triangles[i]));
+    });
     double total = 0;
     for(double s : sums)
       total += s;
-    return total;
+    return total + sum_between(execution, terms, add);
   }
 
 private:
+  // Of the last group, that of the triangles between the others: one thread adds, as they share vertices; before, several
+  // work out what, for some triangles at a time.
+  template <typename Terms, typename Add>
+  double sum_between(Execution execution, const Terms& terms, const Add& add) const
+  {
+    constexpr int number_of_parts = 16, part_size = 128; // triangles; what is worked out for all parts stays in the cache
+    const int begin = m_starts[m_starts.size() - 2], end = m_starts.back();
+    double sum = 0;
+    if(execution == Execution::SEQUENTIAL || end - begin < part_size)
+    {
+      for(int i = begin; i < end; ++i)
+        sum += add(m_triangles[i], terms(m_triangles[i]));
+      return sum;
+    }
+    constexpr int most = number_of_parts * part_size;
+    std::vector<decltype(terms(0))> worked_out((std::min)(most, end - begin));
+    for(int first = begin; first < end; first += most)
+    {
+      const int size = (std::min)(most, end - first);
+      execute(execution, (size + part_size - 1) / part_size, [&](int part)
+      {
+        for(int i = part * part_size; i < (std::min)(size, (part + 1) * part_size); ++i)
+          worked_out[i] = terms(m_triangles[first + i]);
+      });
+      for(int i = 0; i < size; ++i)
+        sum += add(m_triangles[first + i], worked_out[i]);
+    }
+    return sum;
+  }
+
   std::vector<int> m_starts, m_triangles;
 };
 
