@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
@@ -70,21 +71,34 @@ public:
       return failed;
     std::vector<Component_result> results;
     std::vector<std::vector<int>> known; // features, of the runs before with the same effort
+    std::vector<unsigned int> former_seeds;
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
-      const Start_run<ConcurrencyTag> run_with(m_problem, runs[i], m_context);
       if(i > 0 && runs[i].effort != runs[i - 1].effort)
         known.clear();
-      Component_result result = run_with(0, needs_uv || runs.size() > 1, known);
-      if(!result.has_cut && results.empty())
-        return result;
-      known.push_back(result.detected_features);
-      if(result.has_cut)
-        results.push_back(std::move(result));
+      if(has_seeds && takes_several_starts(runs[i]))
+      {
+        std::vector<unsigned int> other_seeds = Several_starts<ConcurrencyTag>::seeds(runs[i].random_seed);
+        if(former_seeds == other_seeds)
+          continue;
+        former_seeds = std::move(other_seeds);
+        for(Component_result& result : Several_starts<ConcurrencyTag>(m_problem, m_context).run(runs[i]))
+          results.push_back(std::move(result));
+      }
+      else
+      {
+        Component_result result
+          = Start_run<ConcurrencyTag>(m_problem, runs[i], m_context)(0, needs_uv || runs.size() > 1, known);
+        known.push_back(result.detected_features);
+        if(result.has_cut || results.empty())
+          results.push_back(std::move(result));
+      }
+      if(!results.front().has_cut)
+        return results.front();
       if(runs.size() == 1 && goes_on_after(results))
         for(const Cutting_parameters& further : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
           runs.push_back(further);
-      if(runs.size() < seeds.size() && (lacks_room(results) || is_small()))
+      if(runs.size() < seeds.size() && lacks_room(results))
       {
         runs.push_back(m_context.parameters);
         runs.back().random_seed = seeds[runs.size() - 1];
@@ -145,15 +159,15 @@ private:
   {
     constexpr int largest = 2000; // faces
     return m_context.parameters.has_bound() && !m_context.parameters.use_published_method &&
-           m_problem.mesh.number_of_faces() <= largest && !results.empty() &&
-           results.front().has_map && results.front().energy > m_context.parameters.maximum_average_distortion;
+           m_problem.mesh.number_of_faces() <= largest && std::all_of(results.begin(), results.end(), [&](const Component_result& r)
+                       { return r.has_map && m_context.parameters.excess(r.energy) > 0; });
   }
 
   // On small surfaces, starts differ most, and each takes little time.
-  bool is_small() const
+  bool takes_several_starts(const Cutting_parameters& parameters) const
   {
     constexpr int largest = 4500; // faces
-    return m_context.parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
+    return parameters.effort == Effort::DEFAULT && parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
   }
 
   // Where it takes much of the cut to keep parts of the chart out of each other's way, a start that leads to another chart
