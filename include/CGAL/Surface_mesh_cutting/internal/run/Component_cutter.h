@@ -64,45 +64,27 @@ public:
   {
     const bool has_seeds = m_problem.is_sphere && !m_problem.initial.is_given(); // that lead to other first cuts
     std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
-    const std::vector<unsigned int> seeds = seeds_of_runs(m_context.parameters, has_seeds);
+    const std::vector<Cutting_parameters> further = further_runs(m_context.parameters, has_seeds);
     Component_result failed;
     failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!failed.status)
       return failed;
     std::vector<Component_result> results;
-    std::vector<std::vector<int>> known; // features, of the runs before with the same effort
-    std::vector<unsigned int> former_seeds;
+    Done done;
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
       if(i > 0 && runs[i].effort != runs[i - 1].effort)
-        known.clear();
-      if(has_seeds && takes_several_starts(runs[i]))
-      {
-        std::vector<unsigned int> other_seeds = Several_starts<ConcurrencyTag>::seeds(runs[i].random_seed);
-        if(former_seeds == other_seeds)
-          continue;
-        former_seeds = std::move(other_seeds);
-        for(Component_result& result : Several_starts<ConcurrencyTag>(m_problem, m_context).run(runs[i]))
-          results.push_back(std::move(result));
-      }
-      else
-      {
-        Component_result result
-          = Start_run<ConcurrencyTag>(m_problem, runs[i], m_context)(0, needs_uv || runs.size() > 1, known);
-        known.push_back(result.detected_features);
+        done = Done();
+      for(Component_result& result : results_of(runs[i], has_seeds, needs_uv || runs.size() > 1, done))
         if(result.has_cut || results.empty())
           results.push_back(std::move(result));
-      }
       if(!results.front().has_cut)
         return results.front();
       if(runs.size() == 1 && goes_on_after(results))
-        for(const Cutting_parameters& further : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
-          runs.push_back(further);
-      if(runs.size() < seeds.size() && lacks_room(results))
-      {
-        runs.push_back(m_context.parameters);
-        runs.back().random_seed = seeds[runs.size() - 1];
-      }
+        for(const Cutting_parameters& other : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
+          runs.push_back(other);
+      if(i < further.size() && runs.size() == i + 1 && done.seeds.empty() && lacks_room(results))
+        runs.push_back(further[i]);
     }
     if(m_problem.initial.is_given())
       add_given_cut(results);
@@ -117,6 +99,32 @@ public:
   }
 
 private:
+  // What runs with the same effort have done: the features that they led to, or the seeds of several starts.
+  struct Done
+  {
+    std::vector<std::vector<int>> features;
+    std::vector<unsigned int> seeds;
+  };
+
+  // Nothing of what has been done already.
+  std::vector<Component_result> results_of(const Cutting_parameters& parameters, bool has_seeds, bool needs_map,
+                                           Done& done) const
+  {
+    std::vector<Component_result> results;
+    const Several_starts<ConcurrencyTag> several(m_problem, m_context);
+    if(has_seeds && several.serve(parameters))
+    {
+      std::vector<unsigned int> seeds = several.seeds(parameters.random_seed);
+      if(seeds != done.seeds)
+        results = several.run(parameters);
+      done.seeds = std::move(seeds);
+      return results;
+    }
+    results.push_back(Start_run<ConcurrencyTag>(m_problem, parameters, m_context)(0, needs_map, done.features));
+    done.features.push_back(results.front().detected_features);
+    return results;
+  }
+
   // As from a given cut, as long as that shortens it: on the chart of the best cut, other features show.
   void go_on_from_best(std::vector<Component_result>& results) const
   {
@@ -159,15 +167,9 @@ private:
   {
     constexpr int largest = 2000; // faces
     return m_context.parameters.has_bound() && !m_context.parameters.use_published_method &&
-           m_problem.mesh.number_of_faces() <= largest && std::all_of(results.begin(), results.end(), [&](const Component_result& r)
+           m_problem.mesh.number_of_faces() <= largest &&
+           std::all_of(results.begin(), results.end(), [&](const Component_result& r)
                        { return r.has_map && m_context.parameters.excess(r.energy) > 0; });
-  }
-
-  // On small surfaces, starts differ most, and each takes little time.
-  bool takes_several_starts(const Cutting_parameters& parameters) const
-  {
-    constexpr int largest = 4500; // faces
-    return parameters.effort == Effort::DEFAULT && parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
   }
 
   // Where it takes much of the cut to keep parts of the chart out of each other's way, a start that leads to another chart

@@ -43,7 +43,14 @@ public:
   // The references are kept.
   Several_starts(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}
 
-  // From the given seed and the first ones: few runs depend on the given one. The same for all of these first ones.
+  // On small surfaces, starts differ most, and each takes little time.
+  bool serve(const Cutting_parameters& parameters) const
+  {
+    constexpr int largest = 4500; // faces
+    return parameters.effort == Effort::DEFAULT && parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
+  }
+
+  // The given one and the first ones: few runs depend on the given one. The same for all of these first ones.
   static std::vector<unsigned int> seeds(unsigned int given)
   {
     constexpr unsigned int number_of_starts = 8;
@@ -55,7 +62,7 @@ public:
   }
 
   // Those that were finished or have a cut, at least; if none has, what became of the first.
-  std::vector<Component_result> run(const Cutting_parameters& parameters)
+  std::vector<Component_result> run(const Cutting_parameters& parameters) const
   {
     constexpr std::size_t number_of_finalists = 2;
     std::deque<Run> runs; // which starts refer to
