@@ -42,17 +42,18 @@ struct Refinement_goal
 };
 
 // The first part of refine() where ends move at a bound. It takes about a third of the time, and tells which of several
-// cuts are worth the rest.
+// cuts are worth the rest. False if the bound is not reached.
 template <typename ConcurrencyTag>
-void prepare_to_move_ends(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal)
+bool prepare_to_move_ends(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal)
 {
   if(!refiner.reduce_distortion_to(goal.bound))
-    return;
+    return false;
   Refinement_limits limits;
   limits.keeps_tree = goal.keeps_tree;
   limits.number_of_solves = goal.share_of_solves();
   limits.energy = goal.bound;
   refiner.shorten(limits);
+  return true;
 }
 
 // Where edges have weights, cheap slits make room for the loss of expensive branches, whose ends move.

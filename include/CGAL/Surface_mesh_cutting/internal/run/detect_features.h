@@ -52,10 +52,21 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
   return detected;
 }
 
+// A third of the work, which tells whether the rest can pay.
+inline Cutting_parameters without_moved_ends(Cutting_parameters parameters)
+{
+  Refinement_goal goal{};
+  goal.number_of_solves = parameters.number_of_shortening_solves;
+  parameters.number_of_shortening_solves = goal.share_of_solves();
+  parameters.moves_ends = false;
+  return parameters;
+}
+
 // With a bound, one start in about ten leads to a cut far longer than those of others. A second start on a still coarser
 // version is so unlike the first that hardly ever both do, and takes little time. Cuts of so coarse a version are longer:
-// the second one takes the place of the first only where that is bad. On request, both are those of the first seed, and
-// one of the given seed on that still coarser version takes their place if it is clearly better: so few runs depend on it.
+// the second one takes the place of the first only where that is bad, and its ends move only where it is shorter than the
+// first before these have moved. On request, both are those of the first seed, and one of the given seed on that still
+// coarser version takes their place if it is clearly better: so few runs depend on it.
 template <typename ConcurrencyTag>
 Detected_features cheapest_features_of_starts(const Problem& problem, int first_start, const Context& context)
 {
@@ -69,13 +80,19 @@ Detected_features cheapest_features_of_starts(const Problem& problem, int first_
   Cutting_parameters added = still_coarser;
   added.random_seed = context.parameters.random_seed;
   std::vector<Detected_features> found(added.random_seed == parameters.random_seed ? 2 : 3);
+  const auto found_with = [&](const Cutting_parameters& coarser)
+  { return rough_features<ConcurrencyTag>(problem, first_start + 1, Context{coarser, context.control, context.clock}); };
+  const auto of_place = [&](int i) { return i == 1 ? still_coarser : added; };
   for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
   {
-    if(i == 0)
-      found[i] = coarse_features<ConcurrencyTag>(problem, first_start, {parameters, context.control, context.clock});
-    else
-      found[i] = rough_features<ConcurrencyTag>(problem, first_start + 1,
-                                                {i == 1 ? still_coarser : added, context.control, context.clock});
+    found[i] = i > 0 ? found_with(without_moved_ends(of_place(i)))
+                     : coarse_features<ConcurrencyTag>(problem, first_start,
+                                                       Context{parameters, context.control, context.clock});
+  });
+  for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
+  {
+    if(i > 0 && found[i].status && found[i].cost < found[0].prepared_cost)
+      found[i] = found_with(of_place(i));
   });
   std::size_t best = 0;
   for(std::size_t i = 1; i < found.size(); ++i)
