@@ -42,6 +42,7 @@ struct Detected_features
   // Of the cut through the features, where it was refined.
   double cost = std::numeric_limits<double>::infinity();
   double energy = std::numeric_limits<double>::infinity();
+  double prepared_cost = std::numeric_limits<double>::infinity(); // before ends were moved at a bound
   // Whether their map has so much distortion that no cut seems to lead to a useful one.
   bool is_hopeless = false;
   // The energy above which the cut through the features is worth a repair.

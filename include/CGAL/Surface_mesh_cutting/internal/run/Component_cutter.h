@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
@@ -63,32 +64,27 @@ public:
   {
     const bool has_seeds = m_problem.is_sphere && !m_problem.initial.is_given(); // that lead to other first cuts
     std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
-    const std::vector<unsigned int> seeds = seeds_of_runs(m_context.parameters, has_seeds);
+    const std::vector<Cutting_parameters> further = further_runs(m_context.parameters, has_seeds);
     Component_result failed;
     failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!failed.status)
       return failed;
     std::vector<Component_result> results;
-    std::vector<std::vector<int>> known; // features, of the runs before with the same effort
+    Done done;
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
-      const Start_run<ConcurrencyTag> run_with(m_problem, runs[i], m_context);
       if(i > 0 && runs[i].effort != runs[i - 1].effort)
-        known.clear();
-      Component_result result = run_with(0, needs_uv || runs.size() > 1, known);
-      if(!result.has_cut && results.empty())
-        return result;
-      known.push_back(result.detected_features);
-      if(result.has_cut)
-        results.push_back(std::move(result));
+        done = Done();
+      for(Component_result& result : results_of(runs[i], has_seeds, needs_uv || runs.size() > 1, done))
+        if(result.has_cut || results.empty())
+          results.push_back(std::move(result));
+      if(!results.front().has_cut)
+        return results.front();
       if(runs.size() == 1 && goes_on_after(results))
-        for(const Cutting_parameters& further : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
-          runs.push_back(further);
-      if(runs.size() < seeds.size() && (lacks_room(results) || is_small()))
-      {
-        runs.push_back(m_context.parameters);
-        runs.back().random_seed = seeds[runs.size() - 1];
-      }
+        for(const Cutting_parameters& other : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
+          runs.push_back(other);
+      if(i < further.size() && runs.size() == i + 1 && done.seeds.empty() && lacks_room(results))
+        runs.push_back(further[i]);
     }
     if(m_problem.initial.is_given())
       add_given_cut(results);
@@ -103,6 +99,32 @@ public:
   }
 
 private:
+  // What runs with the same effort have done: the features that they led to, or the seeds of several starts.
+  struct Done
+  {
+    std::vector<std::vector<int>> features;
+    std::vector<unsigned int> seeds;
+  };
+
+  // Nothing of what has been done already.
+  std::vector<Component_result> results_of(const Cutting_parameters& parameters, bool has_seeds, bool needs_map,
+                                           Done& done) const
+  {
+    std::vector<Component_result> results;
+    const Several_starts<ConcurrencyTag> several(m_problem, m_context);
+    if(has_seeds && several.serve(parameters))
+    {
+      std::vector<unsigned int> seeds = several.seeds(parameters.random_seed);
+      if(seeds != done.seeds)
+        results = several.run(parameters);
+      done.seeds = std::move(seeds);
+      return results;
+    }
+    results.push_back(Start_run<ConcurrencyTag>(m_problem, parameters, m_context)(0, needs_map, done.features));
+    done.features.push_back(results.front().detected_features);
+    return results;
+  }
+
   // As from a given cut, as long as that shortens it: on the chart of the best cut, other features show.
   void go_on_from_best(std::vector<Component_result>& results) const
   {
@@ -145,15 +167,9 @@ private:
   {
     constexpr int largest = 2000; // faces
     return m_context.parameters.has_bound() && !m_context.parameters.use_published_method &&
-           m_problem.mesh.number_of_faces() <= largest && !results.empty() &&
-           results.front().has_map && results.front().energy > m_context.parameters.maximum_average_distortion;
-  }
-
-  // On small surfaces, starts differ most, and each takes little time.
-  bool is_small() const
-  {
-    constexpr int largest = 4500; // faces
-    return m_context.parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
+           m_problem.mesh.number_of_faces() <= largest &&
+           std::all_of(results.begin(), results.end(), [&](const Component_result& r)
+                       { return r.has_map && m_context.parameters.excess(r.energy) > 0; });
   }
 
   // Where it takes much of the cut to keep parts of the chart out of each other's way, a start that leads to another chart

@@ -21,6 +21,7 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -48,38 +49,74 @@ public:
   Start_run(const Start_run&) = delete; // the context refers to the parameters
   Start_run& operator=(const Start_run&) = delete;
 
+  // A start on its way: what is known of it, and its mapped cut, if there is more to do.
+  struct Begun
+  {
+    Component_result result;
+    std::unique_ptr<Refiner> refiner;
+    double repair_threshold = ideal;
+    bool is_refined = false, is_prepared = false;
+  };
+
   // There is no cut if the features are among the `known` ones, which other starts with the same parameters led to.
   Component_result operator()(int start, bool needs_map, const std::vector<std::vector<int>>& known = {}) const
   {
-    Component_result result;
-    Detected_features detected = detect_features<ConcurrencyTag>(m_problem, start, m_context);
-    result.status = detected.status;
-    result.number_of_candidates = detected.number_of_candidates;
-    result.detected_features = detected.features;
-    result.add(detected.trade_offs);
+    Detected_features detected = detect(start);
     if(std::find(known.begin(), known.end(), detected.features) != known.end())
-      return result;
-    if(!result.status)
+      return result_without_cut(detected);
+    return finished(begun(std::move(detected), needs_map));
+  }
+
+  Detected_features detect(int start) const { return detect_features<ConcurrencyTag>(m_problem, start, m_context); }
+
+  // Connects the features and maps the cut.
+  Begun begun(Detected_features detected, bool needs_map) const
+  {
+    Begun start;
+    start.result = result_without_cut(detected);
+    start.repair_threshold = detected.repair_threshold;
+    if(!start.result.status)
     {
       if(detected.is_refined && !m_is_coarsened) // the search was stopped, and had a cut
-        take_found(std::move(detected), result);
-      return result;
+        take_found(std::move(detected), start.result);
+      return start;
     }
     Refiner refiner(m_problem, m_context);
-    if(!connect(refiner, detected, result) || !(needs_map || refines()))
-      return result;
-    const bool is_refined = detected.is_refined && !m_is_coarsened;
-    if(is_refined)
+    if(!connect(refiner, detected, start.result) || !(needs_map || refines()))
+      return start;
+    start.is_refined = detected.is_refined && !m_is_coarsened;
+    if(start.is_refined)
       refiner.replace_tree(std::move(detected.chart));
-    else if(!map(refiner, result))
-      return result;
+    else if(!map(refiner, start.result))
+      return start;
     // Where connecting the features loses too much, the filter's own cut is better.
     else if(refiner.cut().chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
       refiner.replace_tree(std::move(detected.chart));
-    refine_and_parameterize(refiner, detected.repair_threshold, is_refined ? 0 : number_of_solves(), result);
-    result.add(refiner.cut().trade_offs());
-    result.keep_undominated_trade_offs();
-    return result;
+    start.refiner = std::make_unique<Refiner>(std::move(refiner));
+    return start;
+  }
+
+  // With a bound: brings the cut there. What it costs then tells how promising it is.
+  void prepare(Begun& start) const
+  {
+    if(!start.refiner)
+      return;
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    prepare_to_move_ends(*start.refiner, goal(start.repair_threshold, number_of_solves()));
+    start.is_prepared = true;
+  }
+
+  Component_result finished(Begun start) const
+  {
+    if(!start.refiner)
+      return std::move(start.result);
+    Refinement_goal goal = this->goal(start.repair_threshold, start.is_refined ? 0 : number_of_solves());
+    goal.is_prepared = start.is_prepared;
+    refine_and_parameterize(*start.refiner, goal, start.result);
+    make_room(*start.refiner, start.repair_threshold, start.result);
+    start.result.add(start.refiner->cut().trade_offs());
+    start.result.keep_undominated_trade_offs();
+    return std::move(start.result);
   }
 
   // The given cut, completed, and the same shortened; features play no part. None without a map.
@@ -102,14 +139,25 @@ public:
       results.push_back(std::move(completed));
     if(!m_control.go_further())
       return results;
-    refine_and_parameterize(refiner, refiner.cut().energy() + m_parameters.minimum_distortion_decrease,
-                            number_of_solves(), shortened);
+    const double repair_threshold = refiner.cut().energy() + m_parameters.minimum_distortion_decrease;
+    refine_and_parameterize(refiner, goal(repair_threshold, number_of_solves()), shortened);
+    make_room(refiner, repair_threshold, shortened);
     if(shortened.has_map)
       results.push_back(std::move(shortened));
     return results;
   }
 
 private:
+  static Component_result result_without_cut(const Detected_features& detected)
+  {
+    Component_result result;
+    result.status = detected.status;
+    result.number_of_candidates = detected.number_of_candidates;
+    result.detected_features = detected.features;
+    result.add(detected.trade_offs);
+    return result;
+  }
+
   // What was found when the run was stopped. Its map may overlap.
   void take_found(Detected_features detected, Component_result& result) const
   {
@@ -168,13 +216,15 @@ private:
     return false;
   }
 
-  // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
-  void refine_and_parameterize(Refiner& refiner, double repair_threshold, int number_of_solves,
-                               Component_result& result) const
+  Refinement_goal goal(double repair_threshold, int number_of_solves) const
   {
-    const double bound = m_parameters.maximum_average_distortion;
-    refine_and_parameterize(refiner, {bound, repair_threshold, number_of_solves, false, rounds_of_moved_ends()}, result);
-    if(m_parameters.has_bound() && m_parameters.do_bijective && result.energy > bound)
+    return {m_parameters.maximum_average_distortion, repair_threshold, number_of_solves, false, rounds_of_moved_ends()};
+  }
+
+  // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
+  void make_room(const Refiner& refiner, double repair_threshold, Component_result& result) const
+  {
+    if(m_parameters.has_bound() && m_parameters.do_bijective && result.energy > m_parameters.maximum_average_distortion)
     {
       const double cost_with_overlaps = result.cost;
       lower_without_overlaps(refiner, repair_threshold, result);

@@ -52,27 +52,57 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
   return detected;
 }
 
+// A third of the work, which tells whether the rest can pay.
+inline Cutting_parameters without_moved_ends(Cutting_parameters parameters)
+{
+  Refinement_goal goal{};
+  goal.number_of_solves = parameters.number_of_shortening_solves;
+  parameters.number_of_shortening_solves = goal.share_of_solves();
+  parameters.moves_ends = false;
+  return parameters;
+}
+
 // With a bound, one start in about ten leads to a cut far longer than those of others. A second start on a still coarser
 // version is so unlike the first that hardly ever both do, and takes little time. Cuts of so coarse a version are longer:
-// the second one takes the place of the first only where that is bad.
+// the second one takes the place of the first only where that is bad, and its ends move only where it is shorter than the
+// first before these have moved. On request, both are those of the first seed, and one of the given seed on that still
+// coarser version takes their place if it is clearly better: so few runs depend on it.
 template <typename ConcurrencyTag>
-Detected_features cheaper_features_of_two_starts(const Problem& problem, int first_start, const Context& context)
+Detected_features cheapest_features_of_starts(const Problem& problem, int first_start, const Context& context)
 {
-  constexpr double relative_size = 0.5; // of the second version, in faces
-  Cutting_parameters still_coarser = context.parameters;
+  constexpr double relative_size = 0.5; // of the still coarser version, in faces
+  constexpr double clearly = 0.98;      // times the cost; less may be due to the coarser version
+  Cutting_parameters parameters = context.parameters;
+  if(parameters.adds_start)
+    parameters.random_seed = 0;
+  Cutting_parameters still_coarser = parameters;
   still_coarser.coarse_number_of_faces = int(relative_size * still_coarser.coarse_number_of_faces);
-  Detected_features first, second;
-  for_each_index_in_isolation<ConcurrencyTag>(2, [&](int i)
+  Cutting_parameters added = still_coarser;
+  added.random_seed = context.parameters.random_seed;
+  std::vector<Detected_features> found(added.random_seed == parameters.random_seed ? 2 : 3);
+  const auto found_with = [&](const Cutting_parameters& coarser)
+  { return rough_features<ConcurrencyTag>(problem, first_start + 1, Context{coarser, context.control, context.clock}); };
+  const auto of_place = [&](int i) { return i == 1 ? still_coarser : added; };
+  for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
   {
-    if(i == 0)
-      first = coarse_features<ConcurrencyTag>(problem, first_start, context);
-    else
-      second = rough_features<ConcurrencyTag>(problem, first_start + 1,
-                                              Context{still_coarser, context.control, context.clock});
+    found[i] = i > 0 ? found_with(without_moved_ends(of_place(i)))
+                     : coarse_features<ConcurrencyTag>(problem, first_start,
+                                                       Context{parameters, context.control, context.clock});
   });
-  const auto rank = [&](const Detected_features& f)
-  { return std::make_pair(context.parameters.excess(f.energy), f.cost); };
-  return first.status && second.status && rank(second) < rank(first) ? second : first;
+  for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
+  {
+    if(i > 0 && found[i].status && found[i].cost < found[0].prepared_cost)
+      found[i] = found_with(of_place(i));
+  });
+  std::size_t best = 0;
+  for(std::size_t i = 1; i < found.size(); ++i)
+  {
+    const auto rank = [&](std::size_t j)
+    { return std::make_pair(parameters.excess(found[j].energy), (i == 2 && j < 2 ? clearly : 1) * found[j].cost); };
+    if(found[best].status && found[i].status && rank(i) < rank(best))
+      best = i;
+  }
+  return std::move(found[best]);
 }
 
 // The features that the parameters ask for, found on coarser versions.
@@ -83,7 +113,7 @@ Detected_features detect_coarse_features(const Problem& problem, int start, cons
     return find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
                                { return Cut_search<ConcurrencyTag>(coarse, c, true).run(start); });
   if(context.parameters.moves_ends && problem.is_sphere)
-    return cheaper_features_of_two_starts<ConcurrencyTag>(problem, start, context);
+    return cheapest_features_of_starts<ConcurrencyTag>(problem, start, context);
   return coarse_features<ConcurrencyTag>(problem, start, context);
 }
 

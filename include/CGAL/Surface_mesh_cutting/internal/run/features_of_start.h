@@ -64,8 +64,15 @@ void refine_features(const Problem& problem, const Context& context, Detected_fe
   {
     constexpr bool keeps_tree = true; // only the features are handed on
     constexpr int rounds_of_moved_ends = 3;
-    refine(refiner, {parameters.maximum_average_distortion, detected.repair_threshold, parameters.number_of_shortening_solves,
-                     keeps_tree, rounds_of_moved_ends}, parameters);
+    Refinement_goal goal{parameters.maximum_average_distortion, detected.repair_threshold,
+                         parameters.number_of_shortening_solves, keeps_tree, rounds_of_moved_ends};
+    if(parameters.moves_ends && parameters.has_bound())
+    {
+      if(prepare_to_move_ends(refiner, goal))
+        detected.prepared_cost = refiner.cut().cost();
+      goal.is_prepared = true;
+    }
+    refine(refiner, goal, parameters);
     detected.features = refiner.cut().features();
     detected.cost = refiner.cut().cost();
     detected.energy = refiner.cut().energy();

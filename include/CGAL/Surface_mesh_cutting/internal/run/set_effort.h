@@ -64,16 +64,30 @@ inline Cutting_parameters with_effort(Effort effort, Cutting_parameters paramete
   return parameters;
 }
 
+constexpr unsigned int number_of_first_seeds = 3;
+
 // Of the first cuts that runs may begin with: the given seed, and the first ones. Where no first cut is looked for, seeds
 // make no difference.
 inline std::vector<unsigned int> seeds_of_runs(const Cutting_parameters& parameters, bool has_seeds)
 {
-  constexpr unsigned int number_of_seeds = 3;
   std::vector<unsigned int> seeds(1, parameters.random_seed);
-  for(unsigned int seed = 0; has_seeds && seed < number_of_seeds; ++seed)
+  for(unsigned int seed = 0; has_seeds && seed < number_of_first_seeds; ++seed)
     if(seed != parameters.random_seed)
       seeds.push_back(seed);
   return seeds;
+}
+
+// The runs that follow one at a bound where it is not good enough. They do not depend on the given seed.
+inline std::vector<Cutting_parameters> further_runs(const Cutting_parameters& parameters, bool has_seeds)
+{
+  std::vector<Cutting_parameters> runs;
+  for(unsigned int seed = 1; has_seeds && seed < number_of_first_seeds; ++seed)
+  {
+    runs.push_back(parameters);
+    runs.back().random_seed = seed;
+    runs.back().adds_start = false;
+  }
+  return runs;
 }
 
 // The runs of which the best result is returned. The best effort contains the smaller ones, also from the first seeds,
@@ -84,11 +98,16 @@ inline std::vector<Cutting_parameters> portfolio(const Cutting_parameters& param
     return {parameters};
   std::vector<Cutting_parameters> runs;
   for(Effort effort : {Effort::DEFAULT, Effort::FAST})
+  {
     for(unsigned int seed : seeds_of_runs(parameters, has_seeds))
     {
       runs.push_back(with_effort(effort, parameters));
       runs.back().random_seed = seed;
     }
+    if(effort == Effort::DEFAULT && parameters.has_bound())
+      for(const Cutting_parameters& further : further_runs(runs.back(), has_seeds))
+        runs.push_back(further);
+  }
   runs.push_back(parameters); // last, since it takes longest
   return runs;
 }

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_SEVERAL_STARTS_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_SEVERAL_STARTS_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// Many starts of a small surface at a bound, of which the most promising are finished: what a cut costs when it has come
+// to the bound tells much about what it will cost, and is known after a third of the time.
+template <typename ConcurrencyTag>
+class Several_starts
+{
+  using Run = Start_run<ConcurrencyTag>;
+  using Begun = typename Run::Begun;
+
+public:
+  // The references are kept.
+  Several_starts(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}
+
+  // On small surfaces, starts differ most, and each takes little time.
+  bool serve(const Cutting_parameters& parameters) const
+  {
+    constexpr int largest = 4500; // faces
+    return parameters.effort == Effort::DEFAULT && parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
+  }
+
+  // The given one and the first ones: few runs depend on the given one. The same for all of these first ones.
+  static std::vector<unsigned int> seeds(unsigned int given)
+  {
+    constexpr unsigned int number_of_starts = 8;
+    std::vector<unsigned int> result;
+    for(unsigned int seed = 0; seed < number_of_starts - 1; ++seed)
+      result.push_back(seed);
+    result.push_back((std::max)(given, number_of_starts - 1));
+    return result;
+  }
+
+  // Those that were finished or have a cut, at least; if none has, what became of the first.
+  std::vector<Component_result> run(const Cutting_parameters& parameters) const
+  {
+    constexpr std::size_t number_of_finalists = 2;
+    std::deque<Run> runs; // which starts refer to
+    for(unsigned int seed : seeds(parameters.random_seed))
+      runs.emplace_back(m_problem, with_seed(parameters, seed), m_context);
+    std::vector<Begun> starts = prepared(runs);
+    std::vector<double> costs;
+    for(const Begun& start : starts)
+      costs.push_back(expected_cost(start));
+    const std::vector<int> order = CGAL::internal::Graph_kernel::ascending_places(costs);
+    std::vector<Component_result> results;
+    for(std::size_t i = 0; i < (std::min)(order.size(), number_of_finalists); ++i)
+      if(i == 0 || m_context.control.go_further())
+        results.push_back(runs.front().finished(std::move(starts[order[i]])));
+    return results;
+  }
+
+private:
+  static Cutting_parameters with_seed(Cutting_parameters parameters, unsigned int seed)
+  {
+    parameters.random_seed = seed;
+    return parameters;
+  }
+
+  // At the bound.
+  double expected_cost(const Begun& start) const
+  {
+    if(!start.refiner)
+      return std::numeric_limits<double>::infinity();
+    const Length_at_bound cost_at_bound(m_context.parameters.maximum_average_distortion);
+    return cost_at_bound(start.refiner->cut().cost(), start.refiner->cut().energy());
+  }
+
+  // One start for each set of features, brought to the bound.
+  std::vector<Begun> prepared(const std::deque<Run>& runs) const
+  {
+    std::vector<Detected_features> detected(runs.size());
+    for_each_index_in_isolation<ConcurrencyTag>(int(runs.size()), [&](int i)
+    {
+      if(i == 0 || m_context.control.go_further())
+        detected[i] = runs[i].detect(0);
+    });
+    std::vector<int> places; // of different features
+    for(int i = 0; i < int(runs.size()); ++i)
+      if(i == 0 || (detected[i].status && std::none_of(places.begin(), places.end(), [&](int j)
+                                                       { return detected[j].features == detected[i].features; })))
+        places.push_back(i);
+    std::vector<Begun> starts(places.size());
+    for_each_index_in_isolation<ConcurrencyTag>(int(places.size()), [&](int i)
+    {
+      if(i > 0 && !m_context.control.go_further())
+        return;
+      starts[i] = runs[places[i]].begun(std::move(detected[places[i]]), true);
+      runs[places[i]].prepare(starts[i]);
+    });
+    return starts;
+  }
+
+  const Problem& m_problem;
+  const Context& m_context;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_SEVERAL_STARTS_H
