@@ -87,37 +87,45 @@ private:
     return parameters;
   }
 
-  // At the bound.
+  // At the bound. If the run was stopped, some have not come there.
   double expected_cost(const Begun& start) const
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     if(!start.refiner)
-      return std::numeric_limits<double>::infinity();
-    const Length_at_bound cost_at_bound(m_context.parameters.maximum_average_distortion);
-    return cost_at_bound(start.refiner->cut().cost(), start.refiner->cut().energy());
+      return infinity;
+    const Working_cut<ConcurrencyTag>& cut = start.refiner->cut();
+    if(m_context.control.is_stopped() && m_context.parameters.excess(cut.energy()) > 0)
+      return std::numeric_limits<double>::max();
+    return Length_at_bound(m_context.parameters.maximum_average_distortion)(cut.cost(), cut.energy());
   }
 
-  // One start for each set of features, brought to the bound.
+  // One start for each set of features, brought to the bound; the first one before others are looked for, so that a run
+  // that is stopped soon has a cut.
   std::vector<Begun> prepared(const std::deque<Run>& runs) const
   {
     std::vector<Detected_features> detected(runs.size());
-    for_each_index_in_isolation<ConcurrencyTag>(int(runs.size()), [&](int i)
+    std::vector<Begun> starts(runs.size());
+    const auto detect = [&](int i)
     {
       if(i == 0 || m_context.control.go_further())
         detected[i] = runs[i].detect(0);
-    });
-    std::vector<int> places; // of different features
-    for(int i = 0; i < int(runs.size()); ++i)
-      if(i == 0 || (detected[i].status && std::none_of(places.begin(), places.end(), [&](int j)
-                                                       { return detected[j].features == detected[i].features; })))
-        places.push_back(i);
-    std::vector<Begun> starts(places.size());
-    for_each_index_in_isolation<ConcurrencyTag>(int(places.size()), [&](int i)
+    };
+    const auto prepare = [&](int i)
     {
       if(i > 0 && !m_context.control.go_further())
         return;
-      starts[i] = runs[places[i]].begun(std::move(detected[places[i]]), true);
-      runs[places[i]].prepare(starts[i]);
-    });
+      starts[i] = runs[i].begun(detected[i], true);
+      runs[i].prepare(starts[i]);
+    };
+    detect(0);
+    prepare(0);
+    for_each_index_in_isolation<ConcurrencyTag>(int(runs.size()) - 1, [&](int i) { detect(i + 1); });
+    std::vector<int> places; // of other features
+    for(int i = 1; i < int(runs.size()); ++i)
+      if(detected[i].status && std::none_of(detected.begin(), detected.begin() + i, [&](const Detected_features& former)
+                                            { return former.features == detected[i].features; }))
+        places.push_back(i);
+    for_each_index_in_isolation<ConcurrencyTag>(int(places.size()), [&](int i) { prepare(places[i]); });
     return starts;
   }
 
