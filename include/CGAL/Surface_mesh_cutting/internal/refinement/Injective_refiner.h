@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/vertex_distortion.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
@@ -149,7 +150,7 @@ private:
   {
     constexpr double least_gain = 2e-4; // less is within the precision of the trials
     std::vector<Trial> trials;
-    for(Slit& slit : proposals(cut))
+    for(Slit& slit : proposals(goal, cut))
     {
       if(!has_time())
         break;
@@ -171,7 +172,7 @@ private:
 
   // To where the map is worse than the overlapping one, to where it is bad, and where windows gain most for the cost;
   // the cheapest first.
-  std::vector<Slit> proposals(const Injective_cut& cut)
+  std::vector<Slit> proposals(double goal, const Injective_cut& cut)
   {
     constexpr std::size_t number_of_each = 2;
     const std::vector<double> distortion = vertex_distortion(m_problem.mesh, m_problem.shapes, cut.chart, cut.map.uv);
@@ -181,7 +182,7 @@ private:
     std::vector<Slit> slits = m_slits.proposals(cut.cut, excess, m_is_excluded, number_of_each);
     add(m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each), slits);
     if(m_context.parameters.opens_slits_first)
-      add(best_by_windows(cut, distortion), slits);
+      add(best_by_windows(goal, cut, distortion), slits);
     CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return slit.cost; });
     return slits;
   }
@@ -193,9 +194,38 @@ private:
         slits.push_back(std::move(slit));
   }
 
-  std::vector<Slit> best_by_windows(const Injective_cut& cut, const std::vector<double>& distortion)
+  // To where the distortion is large; near the goal, short ones from the ends of the cut as well: a whole slit costs several
+  // times what is missing there.
+  std::vector<Slit> best_by_windows(double goal, const Injective_cut& cut, const std::vector<double>& distortion)
   {
-    constexpr std::size_t number_of_windows = 12, number_of_slits = 4;
+    constexpr std::size_t number_of_windows = 12, number_of_slits = 4, number_of_short_slits = 3;
+    constexpr double near = 0.1; // above the goal, relative to what that leaves above the ideal
+    Incremental_parameterization map = map_of(cut);
+    const double missing = cut.map.energy - goal;
+    std::vector<Slit> slits = best_of(m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_windows),
+                                      number_of_slits, std::numeric_limits<double>::infinity(), map);
+    if(missing < near * (goal - Symmetric_Dirichlet_energy::ideal))
+    {
+      const double cost = cut_cost(m_problem.constraints, cut.cut);
+      const double missing_cost = Length_at_bound(goal)(cost, cut.map.energy) - cost;
+      add(best_of(m_slits.prolongations(cut.cut, m_is_excluded, missing_cost), number_of_short_slits, missing, map), slits);
+    }
+    return slits;
+  }
+
+  // That gain most for their cost, where more than `enough` does not count.
+  static std::vector<Slit> best_of(std::vector<Slit> slits, std::size_t number, double enough,
+                                   Incremental_parameterization& map)
+  {
+    for(Slit& slit : slits)
+      slit.gain = (std::min)(map.estimate_gain(slit.edges), enough);
+    CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return -slit.gain_per_cost(); });
+    slits.resize((std::min)(slits.size(), number));
+    return slits;
+  }
+
+  Incremental_parameterization map_of(const Injective_cut& cut) const
+  {
     Incremental_parameterization map(m_problem.mesh, m_problem.shapes, mapping_policy(m_context.parameters),
                                      m_context.control);
     Open_chart chart;
@@ -204,12 +234,7 @@ private:
     chart.uv = cut.map.uv;
     chart.energy = cut.map.energy;
     map.restore(std::move(chart));
-    std::vector<Slit> slits = m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_windows);
-    for(Slit& slit : slits)
-      slit.gain = map.estimate_gain(slit.edges);
-    CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return -slit.gain_per_cost(); });
-    slits.resize((std::min)(slits.size(), number_of_slits));
-    return slits;
+    return map;
   }
 
   Injective_cut opened(const Injective_cut& cut, const std::vector<int>& edges, std::vector<int> ends, double goal)

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Leaf_branches.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
@@ -140,7 +141,34 @@ public:
     return slits;
   }
 
+  // Short slits to vertices all about the ends of the cut, which most of them prolong, by about `reach` or an edge. Their
+  // gains are not known yet.
+  std::vector<Slit> prolongations(const Cut& cut, const std::vector<char>& is_excluded, double reach)
+  {
+    constexpr int number_of_directions = 5;
+    measure_distances(cut);
+    const std::vector<int> degrees = cut_degrees(m_mesh, cut);
+    std::vector<int> tips;
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(degrees[v] == 1)
+        add_spread(v, (std::max)(reach, shortest_edge_at(v)), number_of_directions, tips);
+    CGAL::internal::Graph_kernel::sort_unique(tips);
+    std::vector<Slit> slits;
+    for(int v : tips)
+      if(is_off_cut(v) && !is_excluded[v])
+        slits.push_back(slit_from(v));
+    return slits;
+  }
+
 private:
+  double shortest_edge_at(int v) const
+  {
+    double shortest = std::numeric_limits<double>::infinity();
+    for(int a = m_mesh.graph().offsets[v]; a < m_mesh.graph().offsets[v + 1]; ++a)
+      shortest = (std::min)(shortest, m_mesh.length(m_mesh.graph().arcs[a].edge));
+    return shortest;
+  }
+
   // `tip`, and the cheapest vertices within some distances of it, each twice the one before, up to `reach`; without
   // those on the cut.
   std::vector<int> ends_around(int tip, double reach) const
