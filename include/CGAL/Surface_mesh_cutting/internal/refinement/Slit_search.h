@@ -131,8 +131,9 @@ public:
     std::vector<int> ends;
     for(int i = 1; i <= ends_on_part; ++i) // from the middle of each third
       ends.push_back(m_mesh.source(m_mesh.halfedge(closed_edges[(2 * i - 1) * closed_edges.size() / (2 * ends_on_part)])));
+    Shortest_paths around(m_mesh.graph());
     for(double distance : {reach / 3, reach})
-      add_spread(tip, distance, number_of_ends, ends);
+      add_spread(tip, distance, number_of_ends, around, ends);
     CGAL::internal::Graph_kernel::sort_unique(ends);
     std::vector<Slit> slits;
     for(int v : ends)
@@ -148,10 +149,11 @@ public:
     constexpr int number_of_directions = 5;
     measure_distances(cut);
     const std::vector<int> degrees = cut_degrees(m_mesh, cut);
+    Shortest_paths around(m_mesh.graph());
     std::vector<int> tips;
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(degrees[v] == 1)
-        add_spread(v, (std::max)(reach, shortest_edge_at(v)), number_of_directions, tips);
+        add_spread(v, (std::max)(reach, shortest_edge_at(v)), number_of_directions, around, tips);
     CGAL::internal::Graph_kernel::sort_unique(tips);
     std::vector<Slit> slits;
     for(int v : tips)
@@ -192,11 +194,12 @@ private:
     return ends;
   }
 
-  // Adds vertices within `reach` of `center`, each as far from it and from the others as possible.
-  void add_spread(int center, double reach, int number, std::vector<int>& ends) const
+  // Adds vertices within `reach` of `center`, each as far from it and from the others as possible. `around` is cleared: to
+  // make it anew for each center takes time proportional to the surface.
+  void add_spread(int center, double reach, int number, Shortest_paths& around, std::vector<int>& ends) const
   {
     std::vector<int> near;
-    Shortest_paths around(m_mesh.graph());
+    around.clear();
     around.add_source(center);
     around.run([&](int v)
                {
