@@ -7,7 +7,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/subdivision_method_3.h>
@@ -45,8 +44,12 @@ int main(int argc, char** argv)
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
   for(int size : sizes)
   {
-    // An edge collapse takes away two faces.
-    SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(num_edges(mesh) * std::size_t(size) / num_faces(mesh)));
+    // An edge collapse takes away two faces. CGAL's own predicate has another name in each of the versions 5 and 6.
+    const std::size_t number_of_edges = num_edges(mesh) * std::size_t(size) / num_faces(mesh);
+    const auto is_small_enough = [number_of_edges](const auto&, const auto&, std::size_t, std::size_t current) {
+      return current < number_of_edges;
+    };
+    SMS::edge_collapse(mesh, is_small_enough);
     mesh.collect_garbage();
     const std::string file = words[0] + "/shape_" + std::to_string(size) + ".ply";
     if(!CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::stream_precision(17)))
