@@ -50,65 +50,75 @@ public:
     const int size = log.size() + number;
     while(log.size() < size && !m_queue.empty())
     {
-      const int v = m_queue.top().second;
+      const Candidate c = m_queue.top();
       m_queue.pop();
-      if(m_is_stale[v]) // its neighborhood has changed since it was queued
-        push(v);
-      else
-        collapse(v, log);
+      if(m_is_stale[c.vertex] || !collapse(c, log)) // what is around it has changed since it was queued
+        push(c.vertex);
     }
   }
 
 private:
-  using Queue = std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int> >,
-                                    std::greater<std::pair<double, int> > >;
+  // The cheapest admissible collapse of a vertex; the target is -1 if there is none.
+  struct Candidate
+  {
+    double cost;
+    int vertex, target;
+
+    bool operator>(const Candidate& other) const
+    { return cost != other.cost ? cost > other.cost : vertex > other.vertex; }
+  };
+
+  using Queue = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> >;
 
   struct Neighborhood
   {
     std::vector<int> fan, ring;
-    std::vector<std::pair<double, int> > candidates;
+    std::vector<std::pair<double, int> > costs; // of collapses, with positions in the ring
   };
 
   // At the start, nothing is collapsed yet.
   void fill_queue(const std::vector<int>& vertices, Execution execution)
   {
-    std::vector<std::pair<double, int> > collapses(vertices.size()); // cost, vertex
+    std::vector<Candidate> candidates(vertices.size());
     execute_blocks(execution, int(vertices.size()), [&](int begin, int end)
     {
       Neighborhood around;
       for(int i = begin; i < end; ++i)
       {
         m_is_stale[vertices[i]] = 0;
-        const auto [cost, j] = best_collapse(vertices[i], around);
-        collapses[i] = {cost, j < 0 ? -1 : vertices[i]};
+        candidates[i] = best_collapse(vertices[i], around);
       }
     });
-    collapses.erase(std::remove_if(collapses.begin(), collapses.end(), [](const auto& c) { return c.second < 0; }),
-                    collapses.end());
-    m_queue = Queue(std::greater<std::pair<double, int> >(), std::move(collapses));
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.target < 0; }),
+                     candidates.end());
+    m_queue = Queue(std::greater<Candidate>(), std::move(candidates));
   }
 
-  // The cheapest admissible collapse of `v`: its cost and the position of the target in the ring;
-  // -1 if there is none. Leaves the neighborhood in `around`.
-  std::pair<double, int> best_collapse(int v, Neighborhood& around) const
+  void find_neighborhood(int v, Neighborhood& around) const
   {
     m_chart.fan(v, around.fan);
     m_chart.ring(v, around.fan, around.ring);
-    around.candidates.clear();
+  }
+
+  Candidate best_collapse(int v, Neighborhood& around) const
+  {
+    find_neighborhood(v, around);
+    around.costs.clear();
+    const Candidate none{std::numeric_limits<double>::infinity(), v, -1};
     if(m_keeps_tips && around.fan.size() == 1)
-      return {std::numeric_limits<double>::infinity(), -1};
+      return none;
     for(int j = 0; j < int(around.ring.size()); ++j)
     {
       // The small share of the squared length decides in flat regions, where all errors vanish.
       const Eigen::Vector3d& p = m_points[around.ring[j]];
       const double squared_length = (p - m_points[v]).squaredNorm();
-      around.candidates.emplace_back(m_quadrics[v](p) + 1e-3 * squared_length * squared_length, j);
+      around.costs.emplace_back(m_quadrics[v](p) + 1e-3 * squared_length * squared_length, j);
     }
-    std::sort(around.candidates.begin(), around.candidates.end());
-    for(const auto& [cost, j] : around.candidates)
-      if(m_chart.can_collapse(v, around.fan, around.ring, j) && keeps_shape(v, around, j))
-        return {cost, j};
-    return {std::numeric_limits<double>::infinity(), -1};
+    std::sort(around.costs.begin(), around.costs.end());
+    for(const auto& [cost, j] : around.costs)
+      if(keeps_shape(v, around, j) && m_chart.can_collapse(v, around.fan, around.ring, j))
+        return {cost, v, around.ring[j]};
+    return none;
   }
 
   // Whether no remaining triangle turns over or becomes a needle.
@@ -145,20 +155,24 @@ private:
   void push(int v)
   {
     m_is_stale[v] = 0;
-    const auto [cost, j] = best_collapse(v, m_around);
-    if(j >= 0)
-      m_queue.emplace(cost, v);
+    const Candidate c = best_collapse(v, m_around);
+    if(c.target >= 0)
+      m_queue.push(c);
   }
 
-  void collapse(int v, Collapse_log& log)
+  // False if what is around the target does not allow it any more. What is around the vertex must not have changed.
+  bool collapse(const Candidate& c, Collapse_log& log)
   {
-    const int j = best_collapse(v, m_around).second;
-    if(j < 0)
-      return;
-    m_quadrics[m_around.ring[j]].add(m_quadrics[v]);
-    m_chart.collapse(v, m_around.fan, m_around.ring, j, log);
-    for(int w : m_around.ring)
+    find_neighborhood(c.vertex, m_around);
+    const std::vector<int>&fan = m_around.fan, &ring = m_around.ring;
+    const int j = int(std::find(ring.begin(), ring.end(), c.target) - ring.begin());
+    if(!m_chart.can_collapse(c.vertex, fan, ring, j))
+      return false;
+    m_quadrics[c.target].add(m_quadrics[c.vertex]);
+    m_chart.collapse(c.vertex, fan, ring, j, log);
+    for(int w : ring)
       m_is_stale[w] = 1;
+    return true;
   }
 
   Collapsible_chart& m_chart;

@@ -198,35 +198,35 @@ private:
         m_opposites[outer[i]] = outer[1 - i];
   }
 
-  // Finds a halfedge that leaves `w` again, the border one if there is one: its former one may have
-  // been taken out or joined to another. The collapse touched only `fan` and what lay across the
-  // removed triangles.
+  // Finds a halfedge that leaves `w` again, the border one if there is one, should its former one have been taken out.
+  // The collapse touched only `fan` and what lay across the removed triangles.
   void update_halfedge(int w, const std::vector<int>& fan, const Collapse& record)
   {
-    int h = m_halfedges[w];
-    if(m_is_dormant[h / 3])
-    {
-      h = -1;
-      for(int c : fan)
-        for(int k = 0; k < 3 && h < 0; ++k)
-          if(!m_is_dormant[c / 3] && source(3 * (c / 3) + k) == w)
-            h = 3 * (c / 3) + k;
-      for(int t : record.triangles)
-        for(int k = 0; t >= 0 && k < 3 && h < 0; ++k)
-        {
-          const int o = m_opposites[3 * t + k];
-          if(o >= 0 && !m_is_dormant[o / 3])
-            h = source(o) == w ? o : target(o) == w ? next_halfedge(o) : -1;
-        }
-    }
-    const int first = h;
-    while(m_opposites[h] >= 0)
-    {
-      h = next_halfedge(m_opposites[h]);
-      if(h == first)
-        break;
-    }
+    const int former = m_halfedges[w];
+    if(!m_is_dormant[former / 3])
+      return;
+    int h = left_halfedge(w, fan, record);
+    if(m_opposites[former] < 0) // the entries of what has been taken out are kept
+      while(m_opposites[h] >= 0)
+        h = next_halfedge(m_opposites[h]);
     m_halfedges[w] = h;
+  }
+
+  // Any that leaves `w` and has not been taken out.
+  int left_halfedge(int w, const std::vector<int>& fan, const Collapse& record) const
+  {
+    for(int c : fan)
+      for(int k = 0; k < 3; ++k)
+        if(!m_is_dormant[c / 3] && source(3 * (c / 3) + k) == w)
+          return 3 * (c / 3) + k;
+    for(int t : record.triangles)
+      for(int k = 0; t >= 0 && k < 3; ++k)
+      {
+        const int o = m_opposites[3 * t + k];
+        if(o >= 0 && !m_is_dormant[o / 3] && (source(o) == w || target(o) == w))
+          return source(o) == w ? o : next_halfedge(o);
+      }
+    return -1;
   }
 
   std::vector<Triangle> m_triangles;
