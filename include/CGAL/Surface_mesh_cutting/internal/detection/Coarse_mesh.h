@@ -56,7 +56,7 @@ struct Coarse_mesh
   std::vector<Surface_mesh_parameterization::internal::Rest_shape> shapes() const
   {
     using namespace Surface_mesh_parameterization::internal;
-    return rest_shapes(mesh.triangles(), mesh.points(), minimal_coarse_height);
+    return rest_shapes(mesh.triangles(), mesh.points(), Execution::SEQUENTIAL, minimal_coarse_height);
   }
 
   // The vertices that stand for these ones of the fine mesh, which were kept.

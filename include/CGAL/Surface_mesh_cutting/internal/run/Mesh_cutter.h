@@ -185,7 +185,7 @@ private:
       parameters.adapt_to_weights();
     const Indexed_mesh& mesh = component.mesh;
     Problem problem{mesh,
-                    Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points()),
+                    Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points(), execution),
                     std::move(constraints),
                     std::move(terminals),
                     Initial_cut(component.restriction(m_constraints.initial)),
@@ -305,7 +305,7 @@ private:
   void certify(Mesh_result& result) const
   {
     const bool do_bijective = m_context.parameters.do_bijective;
-    const Map_measures measures(m_mesh.triangles(), m_mesh.points(), result.chart.triangles());
+    const Map_measures measures(m_mesh.triangles(), m_mesh.points(), result.chart.triangles(), execution);
     const double scale = measures.best_scale(result.uv);
     for(Eigen::Vector2d& u : result.uv)
       u *= scale;
@@ -361,7 +361,7 @@ private:
   {
     using namespace Surface_mesh_parameterization::internal;
     const std::vector<double> energies = face_energies<Symmetric_Dirichlet_energy>(
-      rest_shapes(m_mesh.triangles(), m_mesh.points()), result.chart.triangles(), result.uv);
+      rest_shapes(m_mesh.triangles(), m_mesh.points(), execution), result.chart.triangles(), result.uv, execution);
     std::vector<int> faces;
     for(int f = 0; f < int(energies.size()); ++f)
       if(energies[f] > m_context.parameters.maximum_average_distortion)

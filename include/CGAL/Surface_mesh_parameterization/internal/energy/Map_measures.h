@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
@@ -95,16 +96,20 @@ class Map_measures
 public:
   // `surface` and `chart` hold the same faces over `points` and `uv`. The references are kept.
   Map_measures(const std::vector<Triangle>& surface, const std::vector<Eigen::Vector3d>& points,
-               const std::vector<Triangle>& chart)
-    : m_surface(surface), m_points(points), m_chart(chart), m_shapes(rest_shapes(surface, points))
+               const std::vector<Triangle>& chart, Execution execution = Execution::SEQUENTIAL)
+    : m_surface(surface), m_points(points), m_chart(chart), m_execution(execution),
+      m_shapes(rest_shapes(surface, points, execution))
   {
     constexpr double height_that_rounding_spoils = 1e-7; // of the longest edge: at most nine digits are left
-    for(std::size_t f = 0; f < m_shapes.size(); ++f)
-      if(!is_higher(surface[f], height_that_rounding_spoils))
-      {
-        m_thin.push_back({int(f), !is_higher(surface[f], minimal_height)});
-        m_shapes[f].area = 0; // without weight in sums over the others
-      }
+    execute_blocks(execution, int(m_shapes.size()), [&](int begin, int end)
+    {
+      for(int f = begin; f < end; ++f)
+        if(!is_higher(surface[f], height_that_rounding_spoils))
+          m_shapes[f].area = 0; // without weight in sums over the others
+    });
+    for(int f = 0; f < int(m_shapes.size()); ++f)
+      if(m_shapes[f].area == 0)
+        m_thin.push_back({f, !is_higher(surface[f], minimal_height)});
   }
 
   // See `Stretch_sums`.
@@ -132,7 +137,7 @@ public:
 
   Energies energies(const std::vector<Eigen::Vector2d>& uv) const
   {
-    const std::vector<double> faces = face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart, uv);
+    const std::vector<double> faces = face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart, uv, m_execution);
     Energies result;
     Average all;
     for(std::size_t f = 0; f < faces.size(); ++f)
@@ -215,6 +220,7 @@ private:
   const std::vector<Triangle>& m_surface;
   const std::vector<Eigen::Vector3d>& m_points;
   const std::vector<Triangle>& m_chart;
+  Execution m_execution;
   std::vector<Rest_shape> m_shapes;
   std::vector<Thin_face> m_thin;
 };

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -76,25 +78,36 @@ inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 }
 
 // The side of triangles that are points: far shorter than the mean edge, if that has a length at all.
-inline double minimal_edge(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& points)
+inline double minimal_edge(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& points,
+                           Execution execution = Execution::SEQUENTIAL)
 {
   constexpr double share = 1e-7;
-  double sum = 0;
-  for(const Triangle& t : triangles)
-    sum += (points[t[1]] - points[t[0]]).norm();
+  const double sum = reduce_blocks(execution, int(triangles.size()), 0., [&](int begin, int end)
+  {
+    double lengths = 0;
+    for(int f = begin; f < end; ++f)
+      lengths += (points[triangles[f][1]] - points[triangles[f][0]]).norm();
+    return lengths;
+  }, std::plus<double>());
   return sum > 0 ? share * sum / double(triangles.size()) : share;
 }
 
 // The shapes of all triangles of a surface in space.
 inline std::vector<Rest_shape> rest_shapes(const std::vector<Triangle>& triangles,
                                            const std::vector<Eigen::Vector3d>& points,
+                                           Execution execution = Execution::SEQUENTIAL,
                                            double lowest = minimal_height)
 {
-  const double shortest = minimal_edge(triangles, points);
-  std::vector<Rest_shape> shapes;
-  shapes.reserve(triangles.size());
-  for(const Triangle& t : triangles)
-    shapes.push_back(rest_shape(points[t[0]], points[t[1]], points[t[2]], shortest, lowest));
+  const double shortest = minimal_edge(triangles, points, execution);
+  std::vector<Rest_shape> shapes(triangles.size());
+  execute_blocks(execution, int(triangles.size()), [&](int begin, int end)
+  {
+    for(int f = begin; f < end; ++f)
+    {
+      const Triangle& t = triangles[f];
+      shapes[f] = rest_shape(points[t[0]], points[t[1]], points[t[2]], shortest, lowest);
+    }
+  });
   return shapes;
 }
 

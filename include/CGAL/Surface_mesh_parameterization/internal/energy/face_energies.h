@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
@@ -32,16 +33,20 @@ namespace internal {
 template <typename Energy>
 std::vector<double> face_energies(const std::vector<Rest_shape>& shapes,
                                   const std::vector<Triangle>& triangles,
-                                  const std::vector<Eigen::Vector2d>& uv)
+                                  const std::vector<Eigen::Vector2d>& uv,
+                                  Execution execution = Execution::SEQUENTIAL)
 {
   std::vector<double> energies(shapes.size());
-  for(std::size_t t = 0; t < shapes.size(); ++t)
+  execute_blocks(execution, int(shapes.size()), [&](int begin, int end)
   {
-    const Triangle& v = triangles[t];
-    const Wirtinger_derivatives d = wirtinger_derivatives(shapes[t], uv[v[0]], uv[v[1]], uv[v[2]]);
-    const double x = d.x(), y = d.y();
-    energies[t] = x > y ? Energy::value(x, y) : std::numeric_limits<double>::infinity();
-  }
+    for(int t = begin; t < end; ++t)
+    {
+      const Triangle& v = triangles[t];
+      const Wirtinger_derivatives d = wirtinger_derivatives(shapes[t], uv[v[0]], uv[v[1]], uv[v[2]]);
+      const double x = d.x(), y = d.y();
+      energies[t] = x > y ? Energy::value(x, y) : std::numeric_limits<double>::infinity();
+    }
+  });
   return energies;
 }
 
