@@ -170,7 +170,28 @@ void check_from_tutte(const Test_surface& surface)
   assert(result.outcome == Newton_outcome::STOPPED && uv == start);
 }
 
-// Stars are improved inside of the border alone. A map that is near what is known to be the least energy stays.
+// Each inner vertex is in one set, none of its neighbors in the same.
+void check_independent_sets(const Corner_table& chart)
+{
+  const std::vector<int> halfedges = halfedges_of_inner_vertices(chart);
+  std::vector<int> set_of(chart.number_of_vertices(), -1);
+  const std::vector<std::vector<int> > sets = independent_sets(chart, halfedges);
+  for(int s = 0; s < int(sets.size()); ++s)
+    for(int v : sets[s])
+    {
+      assert(set_of[v] == -1 && chart.source(halfedges[v]) == v);
+      set_of[v] = s;
+    }
+  std::vector<char> is_inner(chart.number_of_vertices(), 1);
+  for(int h : border_halfedges(chart))
+    is_inner[chart.source(h)] = 0;
+  for(int v = 0; v < chart.number_of_vertices(); ++v)
+    assert((set_of[v] >= 0) == bool(is_inner[v]));
+  for(int h = 0; h < int(chart.opposites().size()); ++h)
+    assert(set_of[chart.source(h)] == -1 || set_of[chart.source(h)] != set_of[chart.target(h)]);
+}
+
+// Stars are improved inside of the border alone, by any number of threads to the same map. A map that is near what is known to be the least energy stays.
 void check_improvement(const Test_surface& surface)
 {
   const Corner_table& chart = surface.chart;
@@ -179,7 +200,10 @@ void check_improvement(const Test_surface& surface)
   const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, start);
   assert(is_mapped);
   std::vector<Vector2d> uv = start;
+  std::vector<Vector2d> parallel = start;
   improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv);
+  improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, parallel, Execution::PARALLEL);
+  assert(parallel == uv);
   assert(!has_flip(chart.triangles(), uv));
   assert(energy(chart, shapes, uv) < energy(chart, shapes, start));
   for(int h : border_halfedges(chart))
@@ -341,6 +365,7 @@ int main()
     check_map(hills);
     check_refinement(hills);
     check_from_tutte(hills);
+    check_independent_sets(hills.chart);
     check_improvement(hills);
     for(int j = 0; j < 10; ++j)
       check_opening(make_hills(8 + 6 * i, 20, random), random);
