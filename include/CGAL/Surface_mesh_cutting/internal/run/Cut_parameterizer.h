@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/End_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_regluer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_trimmer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
@@ -38,7 +39,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, the cut grows:
-// by slits that let parts turn aside, or, as a last resort, by seams between several charts.
+// parts are glued elsewhere, slits let them turn aside, or, as a last resort, by seams between several charts.
 template <typename ConcurrencyTag>
 class Cut_parameterizer
 {
@@ -63,6 +64,7 @@ public:
       if(may_grow)
       {
         constexpr double tolerance = 0.0195; // of the energy: less is not worth a longer cut
+        reglue(running, running.energy + tolerance, result);
         if(result.energy < hopeless)
           relieve(running, running.energy + tolerance, result);
         if(!result.has_map || result.energy > running.energy + tolerance)
@@ -91,6 +93,19 @@ public:
       result.lower_bound += tree.lower_bound;
     result.is_optimal = !m_problem.is_opened && cut.is_connected() && tree.is_optimal && edges == tree.cut;
     result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
+  }
+
+  // Rearranges parts that are in each other's way, if that is likely to cost less than slits. False if all stays.
+  bool reglue(const Open_chart& overlapping, double goal, Component_result& result) const
+  {
+    if(!result.has_map || result.energy <= goal)
+      return false;
+    Injective_cut injective = injective_cut(result);
+    Injective_regluer<ConcurrencyTag>(m_problem, m_context).reglue(overlapping, goal, injective);
+    if(injective.cut == result.cut)
+      return false;
+    take_other_ends(std::move(injective), result);
+    return true;
   }
 
   // Opens slits until the energy of the map without overlaps is at most `goal`, if that is possible: where the plane

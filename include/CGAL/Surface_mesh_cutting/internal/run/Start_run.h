@@ -239,22 +239,45 @@ private:
       result.status = bound_missed();
   }
 
-  // Slits where parts of the chart are in each other's way lengthen the cut far less than slits that lower the running
-  // map's energy, of which only some make room.
+  // Where parts of the chart are in each other's way, they are glued elsewhere. Slits there lengthen the cut more than that, but
+  // far less than slits that lower the running map's energy, of which only some make room.
   void lower_without_overlaps(const Refiner& refiner, double repair_threshold, Component_result& result) const
   {
-    const double bound = m_parameters.maximum_average_distortion;
-    if(m_parameters.opens_slits_first)
+    constexpr double little = 0.05; // of the cost: enough to end the search for room
+    const double bound = m_parameters.maximum_average_distortion, cost_with_overlaps = result.cost;
+    Component_result best = result;
+    if(m_parameterizer.reglue(refiner.cut().chart(), bound, best))
+      relieve(refiner, best);
+    const auto is_kept = [&](const Component_result& r) { return r.has_map && r.energy <= bound; };
+    if(is_kept(best) && best.cost <= (1 + little) * cost_with_overlaps)
     {
-      Component_result relieved = result;
-      m_parameterizer.relieve(refiner.cut().chart(), bound, relieved);
-      if(relieved.has_map && relieved.energy <= bound)
-      {
-        shorten_without_overlaps(relieved);
-        result = std::move(relieved);
-        return;
-      }
+      result = std::move(best);
+      return;
     }
+    if(m_parameters.opens_slits_first)
+      relieve(refiner, result);
+    if(!m_parameters.opens_slits_first || !(is_kept(result) || is_kept(best)))
+      lower_by_longer_cuts(refiner, repair_threshold, result);
+    if(is_kept(best) && (!is_kept(result) || best.cost < result.cost))
+      result = std::move(best);
+  }
+
+  // By slits where room is missing; whether they are worth moving ends, the effort says.
+  void relieve(const Refiner& refiner, Component_result& result) const
+  {
+    const double bound = m_parameters.maximum_average_distortion;
+    Component_result relieved = result;
+    m_parameterizer.relieve(refiner.cut().chart(), bound, relieved);
+    if(!relieved.has_map || relieved.energy > bound)
+      return;
+    if(m_parameters.opens_slits_first)
+      shorten_without_overlaps(relieved);
+    result = std::move(relieved);
+  }
+
+  void lower_by_longer_cuts(const Refiner& refiner, double repair_threshold, Component_result& result) const
+  {
+    const double bound = m_parameters.maximum_average_distortion;
     tighten(refiner, repair_threshold, result);
     m_parameterizer.relieve(refiner.cut().chart(), bound, result);
     if(refiner.cut().chart().energy > bound)
