@@ -14,8 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Neck_search.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Winding_rows.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Flap_layers.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
@@ -27,52 +26,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// A motion of the plane that keeps distances.
-struct Flap_motion
-{
-  double cosine = 1, sine = 0;
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-
-  Eigen::Vector2d turned(const Eigen::Vector2d& p) const
-  { return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()}; }
-
-  Eigen::Vector2d operator()(const Eigen::Vector2d& p) const { return turned(p) + shift; }
-};
-
-// The one that brings points nearest to others, in the sum of squares.
-inline Flap_motion best_motion(const std::vector<Eigen::Vector2d>& from, const std::vector<Eigen::Vector2d>& to)
-{
-  Eigen::Vector2d p = Eigen::Vector2d::Zero(), q = Eigen::Vector2d::Zero();
-  for(std::size_t i = 0; i < from.size(); ++i)
-  {
-    p += from[i] / double(from.size());
-    q += to[i] / double(from.size());
-  }
-  Flap_motion motion;
-  double cosine = 0, sine = 0;
-  for(std::size_t i = 0; i < from.size(); ++i)
-  {
-    const Eigen::Vector2d u = from[i] - p, v = to[i] - q;
-    cosine += u.dot(v);
-    sine += u.x() * v.y() - u.y() * v.x();
-  }
-  const double norm = std::hypot(cosine, sine);
-  if(norm > 0)
-  {
-    motion.cosine = cosine / norm;
-    motion.sine = sine / norm;
-  }
-  motion.shift = q - motion.turned(p);
-  return motion;
-}
 
 // What a flap is cut off along, and glued along elsewhere.
 struct Flap_move
@@ -92,10 +51,11 @@ public:
   // several layers, relative to what that border costs. The references are kept.
   Flap_search(const Problem& problem, const Cut& cut, const Corner_table& chart, const std::vector<Vector2d>& uv,
               double cost_of_overlap)
-    : m_problem(problem), m_cost_of_overlap(cost_of_overlap), m_cut(cut), m_is_terminal(problem.terminal_marks()), m_border(problem, chart, uv),
+    : m_problem(problem), m_cost_of_overlap(cost_of_overlap), m_cut(cut), m_is_terminal(problem.terminal_marks()),
+      m_border(problem, chart, uv),
       m_crossings(Surface_mesh_parameterization::internal::Border_overlaps(
                     chart, Surface_mesh_parameterization::internal::Connected_parts(chart.opposites()), uv).crossings()),
-      m_overlap(overlap(Neck(), Gluing(), std::numeric_limits<double>::infinity()))
+      m_overlap(cost_of_overlap * Flap_layers(m_border, Neck()).least_overlap(-1, -1))
   {}
 
   // What it may cost to get the border out of where it lies in several layers.
@@ -106,15 +66,16 @@ public:
   {
     if(m_crossings.empty())
       return false;
-    const std::vector<Neck> necks = Neck_search(m_problem, m_cut, m_border, m_crossings)();
-    std::vector<Gluing> gluings;
-    for(int i = 0; i < int(necks.size()); ++i)
-      add_gluings(i, necks[i], gluings);
-    const Gluing best = best_of(std::move(gluings), necks);
-    if(best.neck < 0)
+    Gluing best;
+    Neck best_neck;
+    double least = m_overlap;
+    int number_of_segments = 0;
+    for(const Neck& neck : Neck_search(m_problem, m_cut, m_border, m_crossings)())
+      if(number_of_segments < enough_segments && improve(neck, least, best, number_of_segments))
+        best_neck = neck;
+    if(best_neck.from < 0)
       return false;
-    const Neck& neck = necks[best.neck];
-    move = {neck.edges, {}, m_border.halfedges[neck.from] / 3, best.motion};
+    move = {best_neck.edges, {}, m_border.halfedges[best_neck.from] / 3, best.motion};
     for(int i = best.first;; i = m_border.next(i))
     {
       move.seam.push_back(m_problem.mesh.edge(m_border.halfedges[i]));
@@ -124,39 +85,49 @@ public:
   }
 
 private:
+  static constexpr int enough_segments = 3000000; // of borders that are looked at
+
   // Of a flap along the halfedges first..last of its border.
   struct Gluing
   {
-    int neck = -1, first = -1, last = -1;
+    int first = -1, last = -1;
     double cost = 0; // added to the cut, and for what does not fit
     Flap_motion motion;
   };
 
-  // That which leaves the least overlap and cost.
-  Gluing best_of(std::vector<Gluing> gluings, const std::vector<Neck>& necks) const
+  // Takes the gluing of the flap that leaves less overlap and cost than `least`, if there is one.
+  bool improve(const Neck& neck, double& least, Gluing& best, int& number_of_segments) const
   {
-    constexpr int enough_segments = 3000000; // of borders that are looked at
-    CGAL::internal::Graph_kernel::sort_by_key(gluings, [](const Gluing& gluing) { return gluing.cost; });
-    gluings.resize((std::min)(gluings.size(), std::size_t(enough_segments / m_border.size())));
-    Gluing best;
-    double least = m_overlap;
+    std::vector<Gluing> gluings = gluings_of(neck);
+    if(gluings.empty() || gluings.front().cost >= least)
+      return false;
+    const Flap_layers layers(m_border, neck);
+    number_of_segments += m_border.size();
+    bool is_better = false;
     for(const Gluing& g : gluings)
     {
       if(g.cost >= least)
         break;
-      const double objective = g.cost + overlap(necks[g.neck], g, least - g.cost);
+      if(g.cost + m_cost_of_overlap * layers.least_overlap(g.first, g.last) >= least)
+        continue;
+      number_of_segments += m_border.size();
+      const double objective
+        = g.cost + m_cost_of_overlap * layers.overlap(g.motion, g.first, g.last, (least - g.cost) / m_cost_of_overlap);
       if(objective < least)
       {
         least = objective;
         best = g;
+        is_better = true;
       }
     }
-    return best;
+    return is_better;
   }
 
-  // Along the runs of the flap's border that lie across from the rest of the disk, and along halves of them.
-  void add_gluings(int number, const Neck& neck, std::vector<Gluing>& gluings) const
+  // Along the runs of the flap's border that lie across from the rest of the disk, and along halves of them; the cheapest
+  // first.
+  std::vector<Gluing> gluings_of(const Neck& neck) const
   {
+    std::vector<Gluing> gluings;
     const int size = m_border.distance(neck.from, neck.to);
     const auto faces_rest = [&](int i)
     {
@@ -174,13 +145,15 @@ private:
         i = next;
         ++length;
       }
-      add_gluing(number, neck, first, i, gluings);
+      add_gluing(neck, first, i, gluings);
       if(length < 4)
         continue;
       const int middle = (first + length / 2) % m_border.size();
-      add_gluing(number, neck, first, m_border.previous(middle), gluings);
-      add_gluing(number, neck, middle, i, gluings);
+      add_gluing(neck, first, m_border.previous(middle), gluings);
+      add_gluing(neck, middle, i, gluings);
     }
+    CGAL::internal::Graph_kernel::sort_by_key(gluings, [](const Gluing& gluing) { return gluing.cost; });
+    return gluings;
   }
 
   // Whether nothing else is cut, and no terminal lies, between two halfedges.
@@ -190,7 +163,7 @@ private:
            !m_is_terminal[m_problem.mesh.source(m_border.halfedges[next])];
   }
 
-  void add_gluing(int number, const Neck& neck, int first, int last, std::vector<Gluing>& gluings) const
+  void add_gluing(const Neck& neck, int first, int last, std::vector<Gluing>& gluings) const
   {
     constexpr double largest_gap = 0.15; // of the seam; beyond, its sides are bent too differently
     constexpr double cost_of_gap = 4;
@@ -215,46 +188,7 @@ private:
     }
     const double gap = std::sqrt(squares / double(moved.size()));
     if(gap <= largest_gap * length)
-      gluings.push_back({number, first, last, neck.cost - cost + cost_of_gap * gap * (length > 0 ? cost / length : 0), motion});
-  }
-
-  // See above; once the flap is glued, or now, without one. If it is not less than `enough`, something between.
-  double overlap(const Neck& neck, const Gluing& gluing, double enough) const
-  {
-    const int b = m_border.size(), flap_size = gluing.neck < 0 ? 0 : m_border.distance(neck.from, neck.to);
-    std::vector<Winding_rows::Segment> segments;
-    const auto point = [&](int i, bool is_moved) { return is_moved ? gluing.motion(m_border.points[i]) : m_border.points[i]; };
-    std::vector<double> costs = m_border.costs;
-    for(int i = 0; i < b; ++i)
-    {
-      const bool is_moved = flap_size > 0 && m_border.distance(neck.from, i) < flap_size;
-      segments.push_back({point(i, is_moved), point(m_border.next(i), is_moved)});
-    }
-    if(flap_size > 0)
-    {
-      segments.push_back({point(neck.to, true), point(neck.from, true)});
-      segments.push_back({point(neck.from, false), point(neck.to, false)});
-      for(int i = gluing.first;; i = m_border.next(i))
-      {
-        costs[i] = costs[m_border.mates[i]] = 0; // inside of the disk then
-        if(i == gluing.last)
-          break;
-      }
-    }
-    const Winding_rows layers(segments);
-    double result = 0;
-    for(int i = 0; i < b && result < enough; ++i)
-      if(costs[i] > 0)
-        result += m_cost_of_overlap * costs[i] * (std::max)(0, layers(inner_point(segments[i])) - 1);
-    return result;
-  }
-
-  // Slightly to the left of the middle.
-  static Vector2d inner_point(const Winding_rows::Segment& s)
-  {
-    constexpr double share = 0.01; // of the length
-    const Vector2d along = s.target - s.source;
-    return 0.5 * (s.source + s.target) + share * Vector2d(-along.y(), along.x());
+      gluings.push_back({first, last, neck.cost - cost + cost_of_gap * gap * (length > 0 ? cost / length : 0), motion});
   }
 
   const Problem& m_problem;

@@ -71,7 +71,7 @@ public:
   // The best first. O(k n log n) for k starts at worst; the paths that are looked at are short.
   std::vector<Neck> operator()()
   {
-    constexpr int largest_number_of_starts = 200;
+    constexpr int largest_number_of_starts = 100;
     constexpr int enough_vertices = 2000000; // so many can be reached from all starts
     const int number_of_starts
       = (std::max)(1, (std::min)(largest_number_of_starts, enough_vertices / m_disk.mesh.number_of_vertices()));
