@@ -47,6 +47,8 @@ public:
     for(int i = 0; i <= maximum_number_of_flaps; ++i)
     {
       const Corner_table chart = make_chart(problem.mesh, cut);
+      if(chart.border_loops().size() != 1) // not a disk
+        return;
       const std::vector<Eigen::Vector2d> uv = positions(chart, corners);
       const Flap_search search(problem, cut, chart, uv, cost_of_overlap);
       const double objective = cut_cost(problem.constraints, cut) + search.overlap();
