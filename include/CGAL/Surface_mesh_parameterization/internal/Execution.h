@@ -91,14 +91,14 @@ void execute_both(Execution execution, const First& first, const Second& second)
 // What one thread takes at a time: more than starting it costs.
 constexpr int block_size = 4096;
 
-inline int number_of_blocks(int size) { return (size + block_size - 1) / block_size; }
+inline int number_of_blocks(int size, int largest = block_size) { return (size + largest - 1) / largest; }
 
-// Calls `f(begin, end)` for blocks of 0..size-1.
+// Calls `f(begin, end)` for blocks of 0..size-1, of at most `largest`.
 template <typename Function>
-void execute_blocks(Execution execution, int size, const Function& f)
+void execute_blocks(Execution execution, int size, const Function& f, int largest = block_size)
 {
-  execute(execution, number_of_blocks(size),
-          [&](int b) { f(b * block_size, (std::min)(size, (b + 1) * block_size)); });
+  execute(execution, number_of_blocks(size, largest),
+          [&](int b) { f(b * largest, (std::min)(size, (b + 1) * largest)); });
 }
 
 // The results of `f(begin, end)` for blocks of 0..size-1, reduced in order.

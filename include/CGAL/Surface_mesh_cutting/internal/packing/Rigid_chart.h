@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Rigid_motion.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/winding_of_segment.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Distance_field.h>
 
 #include <algorithm>
@@ -24,42 +26,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// Turns about the origin, then translates.
-class Rigid_motion
-{
-public:
-  Rigid_motion(double angle, const Eigen::Vector2d& translation)
-    : Rigid_motion(angle, std::cos(angle), std::sin(angle), translation)
-  {}
-
-  double angle() const { return m_angle; }
-  const Eigen::Vector2d& translation() const { return m_translation; }
-
-  Eigen::Vector2d turned(const Eigen::Vector2d& v) const
-  { return {m_cosine * v.x() - m_sine * v.y(), m_sine * v.x() + m_cosine * v.y()}; }
-
-  Eigen::Vector2d turned_back(const Eigen::Vector2d& v) const
-  { return {m_cosine * v.x() + m_sine * v.y(), m_cosine * v.y() - m_sine * v.x()}; }
-
-  Eigen::Vector2d operator()(const Eigen::Vector2d& p) const { return turned(p) + m_translation; }
-
-  // This motion, followed by the inverse of the other one.
-  Rigid_motion relative_to(const Rigid_motion& other) const
-  {
-    return Rigid_motion(m_angle - other.m_angle, m_cosine * other.m_cosine + m_sine * other.m_sine,
-                        m_sine * other.m_cosine - m_cosine * other.m_sine,
-                        other.turned_back(m_translation - other.m_translation));
-  }
-
-private:
-  Rigid_motion(double angle, double cosine, double sine, const Eigen::Vector2d& translation)
-    : m_angle(angle), m_cosine(cosine), m_sine(sine), m_translation(translation)
-  {}
-
-  double m_angle, m_cosine, m_sine;
-  Eigen::Vector2d m_translation;
-};
 
 // The same angles, with translations scaled by a factor: about where charts are when the square shrinks.
 inline std::vector<Rigid_motion> narrowed(const std::vector<Rigid_motion>& motions, double factor)
@@ -146,15 +112,7 @@ inline bool is_inside(const std::vector<Outline_segment>& outline, const Eigen::
 {
   int winding_number = 0;
   for(const Outline_segment& s : outline)
-    if((s.source.y() <= p.y()) != (s.target.y() <= p.y()))
-    {
-      const Eigen::Vector2d d = s.target - s.source, q = p - s.source;
-      const double area = d.x() * q.y() - d.y() * q.x();
-      if(d.y() > 0 && area > 0)
-        ++winding_number;
-      else if(d.y() < 0 && area < 0)
-        --winding_number;
-    }
+    winding_number += winding_of_segment(s.source, s.target, p);
   return winding_number != 0;
 }
 

@@ -28,17 +28,16 @@ namespace internal {
 // The border of a disk in the plane, counterclockwise.
 struct Chart_border
 {
-  std::vector<int> halfedges;
+  std::vector<int> halfedges, numbers; // along the border, and of each halfedge of the mesh its place there; -1: elsewhere
   std::vector<Eigen::Vector2d> points; // their sources
   std::vector<int> mates;              // of each, the number of that at the other side of the cut; -1: border of the mesh
   std::vector<double> costs;           // of their edges, or lengths where these cannot be cut
 
   // `uv`: of the chart, a disk.
   Chart_border(const Problem& problem, const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
-    : halfedges(chart.border_loops().front())
+    : halfedges(chart.border_loops().front()), numbers(problem.mesh.number_of_halfedges(), -1)
   {
     const Indexed_mesh& mesh = problem.mesh;
-    std::vector<int> numbers(mesh.number_of_halfedges(), -1);
     for(int i = 0; i < size(); ++i)
       numbers[halfedges[i]] = i;
     for(int h : halfedges)

@@ -17,16 +17,18 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Flap_search.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::Connected_parts;
 
 // Rearranges a disk whose flip-free map overlaps itself: a flap that lies on other parts is cut off and glued to another
 // seam of the cut, which gains the neck of the flap and loses that seam. So it goes on as long as what overlaps becomes less by
@@ -83,17 +85,10 @@ private:
   {
     for(int e : move.neck)
       cut[e] = 1;
-    const Corner_table parts = make_chart(m_problem.mesh, cut);
-    std::vector<char> is_in_flap(m_problem.mesh.number_of_faces(), 0);
-    std::vector<int> flap(1, move.face);
-    is_in_flap[move.face] = 1;
-    for(std::size_t next = 0; next < flap.size(); ++next)
-      for(int h = 3 * flap[next]; h < 3 * flap[next] + 3; ++h)
-      {
+    const Connected_parts parts(make_chart(m_problem.mesh, cut).opposites());
+    for(int h = 0; h < int(corners.size()); ++h)
+      if(parts.part[h / 3] == parts.part[move.face])
         corners[h] = move.motion(corners[h]);
-        if(!parts.is_border(h) && !std::exchange(is_in_flap[parts.opposite(h) / 3], char(1)))
-          flap.push_back(parts.opposite(h) / 3);
-      }
     for(int e : move.seam)
       cut[e] = 0;
   }

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Flap_motion.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/Rigid_motion.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Neck_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Winding_rows.h>
 
@@ -47,6 +47,7 @@ public:
       const Vector2d &p = border.points[i], &q = border.points[border.next(i)], along = q - p;
       m_points.push_back(0.5 * (p + q) + share * Vector2d(-along.y(), along.x()));
       m_layers.push_back((is_in_flap(i) ? m_flap : m_rest)(m_points.back()));
+      m_least_overlap += own_overlap(i);
     }
   }
 
@@ -54,15 +55,13 @@ public:
   // first..last and its mates.
   double least_overlap(int first, int last) const
   {
-    double result = 0;
-    for(int i = 0; i < m_border.size(); ++i)
-      result += m_border.costs[i] * (std::max)(0, m_layers[i] - 1);
-    for_seam(first, last, [&](int i) { result -= m_border.costs[i] * (std::max)(0, m_layers[i] - 1); });
+    double result = m_least_overlap;
+    for_seam(first, last, [&](int i) { result -= own_overlap(i); });
     return result;
   }
 
   // The same, and where these cover each other. If that is not less than `enough`, something between.
-  double overlap(const Flap_motion& motion, int first, int last, double enough) const
+  double overlap(const Rigid_motion& motion, int first, int last, double enough) const
   {
     std::vector<char> is_seam(m_border.size(), 0);
     for_seam(first, last, [&](int i) { is_seam[i] = 1; });
@@ -78,6 +77,8 @@ public:
 
 private:
   bool is_in_flap(int i) const { return m_border.distance(m_neck.from, i) < m_flap_size; }
+
+  double own_overlap(int i) const { return m_border.costs[i] * (std::max)(0, m_layers[i] - 1); }
 
   // Calls f for both sides.
   template <typename Function>
@@ -110,6 +111,7 @@ private:
   const Winding_rows m_rest, m_flap;
   std::vector<Vector2d> m_points; // of each halfedge of the border, inside of what it bounds
   std::vector<int> m_layers;      // there, of the flap or of the rest alone
+  double m_least_overlap = 0;
 };
 
 } // namespace internal

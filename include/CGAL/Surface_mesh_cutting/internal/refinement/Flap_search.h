@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Flap_layers.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/best_motion.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
@@ -26,7 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +38,7 @@ struct Flap_move
 {
   std::vector<int> neck, seam; // edges
   int face = -1;               // of the flap
-  Flap_motion motion;
+  Rigid_motion motion;
 };
 
 // Looks for the flap of a disk to move so that what overlaps becomes less by most, against what that costs.
@@ -51,10 +51,8 @@ public:
   // several layers, relative to what that border costs. The references are kept.
   Flap_search(const Problem& problem, const Cut& cut, const Corner_table& chart, const std::vector<Vector2d>& uv,
               double cost_of_overlap)
-    : m_problem(problem), m_cost_of_overlap(cost_of_overlap), m_cut(cut), m_is_terminal(problem.terminal_marks()),
-      m_border(problem, chart, uv),
-      m_crossings(Surface_mesh_parameterization::internal::Border_overlaps(
-                    chart, Surface_mesh_parameterization::internal::Connected_parts(chart.opposites()), uv).crossings()),
+    : m_problem(problem), m_cut(cut), m_chart(chart), m_uv(uv), m_cost_of_overlap(cost_of_overlap),
+      m_is_terminal(problem.terminal_marks()), m_border(problem, chart, uv),
       m_overlap(cost_of_overlap * Flap_layers(m_border, Neck()).least_overlap(-1, -1))
   {}
 
@@ -64,13 +62,15 @@ public:
   // False if no flap is worth its cost.
   bool find(Flap_move& move) const
   {
-    if(m_crossings.empty())
+    using namespace Surface_mesh_parameterization::internal;
+    const Border_overlaps overlaps(m_chart, Connected_parts(m_chart.opposites()), m_uv);
+    if(overlaps.crossings().empty())
       return false;
     Gluing best;
     Neck best_neck;
     double least = m_overlap;
     int number_of_segments = 0;
-    for(const Neck& neck : Neck_search(m_problem, m_cut, m_border, m_crossings)())
+    for(const Neck& neck : Neck_search(m_problem, m_cut, m_border, overlaps.crossings())())
       if(number_of_segments < enough_segments && improve(neck, least, best, number_of_segments))
         best_neck = neck;
     if(best_neck.from < 0)
@@ -92,7 +92,7 @@ private:
   {
     int first = -1, last = -1;
     double cost = 0; // added to the cut, and for what does not fit
-    Flap_motion motion;
+    Rigid_motion motion;
   };
 
   // Takes the gluing of the flap that leaves less overlap and cost than `least`, if there is one.
@@ -178,7 +178,7 @@ private:
       if(i == last)
         break;
     }
-    const Flap_motion motion = best_motion(moved, fixed);
+    const Rigid_motion motion = best_motion(moved, fixed);
     double squares = 0, length = 0;
     for(std::size_t i = 0; i < moved.size(); ++i)
     {
@@ -192,11 +192,12 @@ private:
   }
 
   const Problem& m_problem;
-  const double m_cost_of_overlap;
   const Cut& m_cut;
+  const Corner_table& m_chart;
+  const std::vector<Vector2d>& m_uv;
+  const double m_cost_of_overlap;
   const std::vector<char> m_is_terminal;
   const Chart_border m_border;
-  const std::vector<std::pair<int, int> > m_crossings;
   const double m_overlap;
 };
 

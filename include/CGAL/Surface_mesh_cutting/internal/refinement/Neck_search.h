@@ -44,27 +44,29 @@ class Neck_search
 {
   using Shortest_paths = CGAL::internal::Graph_kernel::Shortest_paths;
 
+  static constexpr double reach = 1. / 16; // of the cost of the border
+
 public:
   // `cut` leaves the disk; `crossings`: pairs of halfedges of its border. The references are kept.
   Neck_search(const Problem& problem, const Cut& cut, const Chart_border& border,
               const std::vector<std::pair<int, int> >& crossings)
     : m_problem(problem), m_border(border), m_disk(std::move(split_along(problem.mesh, cut).front())),
-      m_numbers(m_disk.mesh.number_of_vertices(), -1), m_partners(border.size()), m_paths(m_disk.mesh.graph())
+      m_numbers(m_disk.mesh.number_of_vertices(), -1), m_partners(border.size()), m_paths(m_disk.mesh.graph()),
+      m_largest_cost(reach * border.cost())
   {
-    std::vector<int> places(problem.mesh.number_of_faces()), numbers(problem.mesh.number_of_halfedges(), -1);
+    std::vector<int> places(problem.mesh.number_of_faces());
     for(int f = 0; f < int(m_disk.faces.size()); ++f)
       places[m_disk.faces[f]] = f;
     for(int i = 0; i < border.size(); ++i)
     {
       const int h = border.halfedges[i];
-      numbers[h] = i;
       m_vertices.push_back(m_disk.mesh.source(3 * places[h / 3] + h % 3));
       m_numbers[m_vertices.back()] = i;
     }
     for(const auto& [g, h] : crossings)
     {
-      m_partners[numbers[g]].push_back(numbers[h]);
-      m_partners[numbers[h]].push_back(numbers[g]);
+      m_partners[border.numbers[g]].push_back(border.numbers[h]);
+      m_partners[border.numbers[h]].push_back(border.numbers[g]);
     }
   }
 
@@ -123,19 +125,17 @@ private:
   // Through the interior, to all border vertices within reach.
   void find_paths(int from)
   {
-    constexpr double reach = 1. / 16; // of the cost of the border
     const auto& graph = m_disk.mesh.graph();
-    const double largest_cost = reach * m_border.cost();
     m_costs.assign(m_border.size(), Shortest_paths::infinity());
     m_last_edges.assign(m_border.size(), -1);
     m_paths.clear();
     m_paths.add_source(m_vertices[from]);
     m_paths.run([&](int v)
                 {
-                  if(m_paths.distance(v) > largest_cost)
+                  if(m_paths.distance(v) > m_largest_cost)
                     return false;
                   for(int a = graph.offsets[v]; a < graph.offsets[v + 1]; ++a)
-                    end_path(v, graph.arcs[a].target, graph.arcs[a].edge, largest_cost);
+                    end_path(v, graph.arcs[a].target, graph.arcs[a].edge);
                   return true;
                 },
                 [&](int a)
@@ -147,13 +147,13 @@ private:
 
   double cost(int disk_edge) const { return m_problem.constraints.weights[m_disk.edges[disk_edge]]; }
 
-  void end_path(int v, int border_vertex, int edge, double largest_cost)
+  void end_path(int v, int border_vertex, int edge)
   {
     const int to = m_numbers[border_vertex];
     if(to < 0 || m_disk.mesh.is_border_edge(edge))
       return;
     const double total = m_paths.distance(v) + cost(edge);
-    if(total <= largest_cost && total < m_costs[to])
+    if(total <= m_largest_cost && total < m_costs[to])
     {
       m_costs[to] = total;
       m_last_edges[to] = edge;
@@ -176,6 +176,7 @@ private:
   std::vector<int> m_vertices, m_numbers;   // border vertices in the disk, and which these are
   std::vector<std::vector<int> > m_partners; // of each halfedge of the border, those that it crosses
   Shortest_paths m_paths;
+  const double m_largest_cost;
   std::vector<double> m_costs;   // of paths to border vertices
   std::vector<int> m_last_edges; // of these
 };

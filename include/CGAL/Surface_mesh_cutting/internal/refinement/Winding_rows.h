@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/mapping/winding_of_segment.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -69,12 +71,7 @@ public:
     for(int k = m_offsets[row]; k < m_offsets[row + 1]; ++k)
     {
       const Segment& s = m_segments[m_entries[k]];
-      const bool is_upward = s.target.y() > p.y();
-      if((s.source.y() > p.y()) == is_upward)
-        continue;
-      const double t = (p.y() - s.source.y()) / (s.target.y() - s.source.y());
-      if(s.source.x() + t * (s.target.x() - s.source.x()) > p.x())
-        winding += is_upward ? 1 : -1;
+      winding += winding_of_segment(s.source, s.target, p);
     }
     return winding;
   }

@@ -38,8 +38,8 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, the cut grows:
-// parts are glued elsewhere, slits let them turn aside, or, as a last resort, by seams between several charts.
+// Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, parts are glued
+// elsewhere, slits let them turn aside, or, as a last resort, seams divide several charts.
 template <typename ConcurrencyTag>
 class Cut_parameterizer
 {

@@ -248,19 +248,21 @@ private:
     Component_result best = result;
     if(m_parameterizer.reglue(refiner.cut().chart(), bound, best))
       relieve(refiner, best);
-    const auto is_kept = [&](const Component_result& r) { return r.has_map && r.energy <= bound; };
-    if(is_kept(best) && best.cost <= (1 + little) * cost_with_overlaps)
+    if(keeps_bound(best) && best.cost <= (1 + little) * cost_with_overlaps)
     {
       result = std::move(best);
       return;
     }
     if(m_parameters.opens_slits_first)
       relieve(refiner, result);
-    if(!m_parameters.opens_slits_first || !(is_kept(result) || is_kept(best)))
+    if(!m_parameters.opens_slits_first || !(keeps_bound(result) || keeps_bound(best)))
       lower_by_longer_cuts(refiner, repair_threshold, result);
-    if(is_kept(best) && (!is_kept(result) || best.cost < result.cost))
+    if(keeps_bound(best) && (!keeps_bound(result) || best.cost < result.cost))
       result = std::move(best);
   }
+
+  bool keeps_bound(const Component_result& result) const
+  { return result.has_map && result.energy <= m_parameters.maximum_average_distortion; }
 
   // By slits where room is missing; whether they are worth moving ends, the effort says.
   void relieve(const Refiner& refiner, Component_result& result) const
@@ -268,7 +270,7 @@ private:
     const double bound = m_parameters.maximum_average_distortion;
     Component_result relieved = result;
     m_parameterizer.relieve(refiner.cut().chart(), bound, relieved);
-    if(!relieved.has_map || relieved.energy > bound)
+    if(!keeps_bound(relieved))
       return;
     if(m_parameters.opens_slits_first)
       shorten_without_overlaps(relieved);
@@ -335,7 +337,7 @@ private:
       refine_and_parameterize(refiner, {target, repair_threshold, solves}, result);
       number_of_solved_faces += double(refiner.cut().trade_offs().size()) * m_problem.mesh.number_of_faces();
       result.add(refiner.cut().trade_offs());
-      const bool is_kept = result.has_map && result.energy <= bound;
+      const bool is_kept = keeps_bound(result);
       (is_kept ? kept : failed) = target;
       target = kept > ideal ? (kept + failed) / 2 : lowered(target, result.energy - bound);
       if(is_kept ? best.energy > bound || result.cost < best.cost

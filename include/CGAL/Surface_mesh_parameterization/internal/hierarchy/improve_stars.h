@@ -21,7 +21,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -98,12 +97,12 @@ void improve_stars(const Corner_table& chart, const std::vector<Rest_shape>& sha
   };
   for(int round = 0; round < number_of_rounds; ++round)
     for(const std::vector<int>& set : sets)
-      execute(execution, (int(set.size()) + part_size - 1) / part_size, [&](int part)
+      execute_blocks(execution, int(set.size()), [&](int begin, int end)
       {
         std::vector<Star_triangle> star;
-        for(int i = part * part_size; i < (std::min)(int(set.size()), (part + 1) * part_size); ++i)
+        for(int i = begin; i < end; ++i)
           improve(set[i], star);
-      });
+      }, part_size);
   if(count_flips(chart.triangles(), improved, nullptr, execution) == 0) // exact, unlike the steps
     uv.swap(improved);
 }
