@@ -5,6 +5,11 @@
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_regluing.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_regluer.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 
 #include <CGAL/Random.h>
 
@@ -12,6 +17,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -19,6 +25,8 @@ namespace {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
 
+using CGAL::Surface_mesh_parameterization::internal::is_bijective;
+using CGAL::Surface_mesh_parameterization::internal::rest_shapes;
 using Eigen::Vector2d;
 using Segments = std::vector<Winding_rows::Segment>;
 using test::check;
@@ -157,39 +165,94 @@ bool is_disk(const Indexed_mesh& mesh, const Cut& cut)
          chart.number_of_vertices() - edges + mesh.number_of_faces() == 1;
 }
 
-// What the rearranged disk still costs of what it did, with its overlaps.
-double check_regluing(const Indexed_mesh& mesh, bool is_constrained, CGAL::Random& random)
+// Some terminals, an edge that has to be cut, and one that must not be.
+void constrain(const Indexed_mesh& mesh, Problem& problem, CGAL::Random& random)
 {
-  Problem problem{mesh, {}, unconstrained(mesh), {}, Initial_cut(Cut(mesh.number_of_edges(), 0)), true};
-  if(is_constrained)
-  {
-    for(int i = 0; i < 4; ++i)
-      problem.terminals.push_back(random.get_int(0, mesh.number_of_vertices()));
-    const int f = random.get_int(0, mesh.number_of_faces());
-    problem.constraints.mandatory[mesh.edge(3 * f)] = 1;
-    problem.constraints.weights[mesh.edge(3 * f + 1)] = std::numeric_limits<double>::infinity();
-  }
-  Open_chart chart;
-  chart.cut = random_unfolding(mesh, problem.constraints, random);
-  chart.chart = make_chart(mesh, chart.cut);
-  chart.uv.resize(chart.chart.number_of_vertices());
-  const std::vector<Vector2d> corners = unfolded(mesh, chart.cut);
-  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
-    chart.uv[chart.chart.source(h)] = corners[h];
-  check(is_disk(mesh, chart.cut), "an unfolded surface is a disk");
+  for(int i = 0; i < 4; ++i)
+    problem.terminals.push_back(random.get_int(0, mesh.number_of_vertices()));
+  const int f = random.get_int(0, mesh.number_of_faces());
+  problem.constraints.mandatory[mesh.edge(3 * f)] = 1;
+  problem.constraints.weights[mesh.edge(3 * f + 1)] = std::numeric_limits<double>::infinity();
+}
 
-  const Chart_regluing regluing(problem, chart, 1);
-  const Cut& cut = regluing.cut();
-  check(is_disk(mesh, cut), "a rearranged disk is a disk");
+void check_constraints(const Problem& problem, const Cut& cut)
+{
+  const Indexed_mesh& mesh = problem.mesh;
   const std::vector<char> is_on_cut = open_vertices(mesh, cut);
   for(int v : problem.terminals)
     check(is_on_cut[v], "a terminal left the cut");
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     check((cut[e] || !problem.constraints.mandatory[e]) && !(cut[e] && problem.constraints.is_forbidden(e)),
           "constraints of edges");
-  const double former = objective(problem, chart.cut, corners), now = objective(problem, cut, regluing.corners());
-  check(cut == chart.cut ? regluing.corners() == corners : now < former, "more overlap or cost");
+}
+
+Open_chart unfolded_chart(const Problem& problem, const std::vector<Vector2d>& corners, Cut cut)
+{
+  Open_chart chart;
+  chart.cut = std::move(cut);
+  chart.chart = make_chart(problem.mesh, chart.cut);
+  chart.uv.resize(chart.chart.number_of_vertices());
+  for(int h = 0; h < problem.mesh.number_of_halfedges(); ++h)
+    chart.uv[chart.chart.source(h)] = corners[h];
+  chart.energy = Symmetric_Dirichlet_energy::ideal;
+  return chart;
+}
+
+// What the rearranged disk still costs of what it did, with its overlaps.
+double check_regluing(const Indexed_mesh& mesh, bool is_constrained, CGAL::Random& random)
+{
+  Problem problem{mesh, {}, unconstrained(mesh), {}, Initial_cut(Cut(mesh.number_of_edges(), 0)), true};
+  if(is_constrained)
+    constrain(mesh, problem, random);
+  Cut unfolding = random_unfolding(mesh, problem.constraints, random);
+  const std::vector<Vector2d> corners = unfolded(mesh, unfolding);
+  const Open_chart chart = unfolded_chart(problem, corners, std::move(unfolding));
+  check(is_disk(mesh, chart.cut), "an unfolded surface is a disk");
+
+  const auto [cut, moved_corners] = Chart_regluing(problem, chart).rearranged(1, always_go_further);
+  check(is_disk(mesh, cut), "a rearranged disk is a disk");
+  check_constraints(problem, cut);
+  const double former = objective(problem, chart.cut, corners), now = objective(problem, cut, moved_corners);
+  check(cut == chart.cut ? moved_corners == corners : now < former, "more overlap or cost");
   return now / former;
+}
+
+// Of a chart that is rearranged and, at a bound, shortened, which closes most of an unfolding. Returns whether it was.
+bool check_injective_regluing(const Indexed_mesh& mesh, bool has_weights, bool is_stopped, CGAL::Random& random)
+{
+  Problem problem{mesh, rest_shapes(mesh.triangles(), mesh.points()), unconstrained(mesh), {},
+                  Initial_cut(Cut(mesh.number_of_edges(), 0)), true};
+  if(has_weights)
+    for(double& weight : problem.constraints.weights)
+      weight *= random.get_bool() ? 0 : 2;
+  constrain(mesh, problem, random);
+  Cut unfolding = random_unfolding(mesh, problem.constraints, random);
+  const std::vector<Vector2d> corners = unfolded(mesh, unfolding);
+  const Open_chart chart = unfolded_chart(problem, corners, std::move(unfolding));
+
+  Cutting_parameters parameters;
+  parameters.do_bijective = true;
+  parameters.maximum_average_distortion = 4.2;
+  parameters.linear_solvers = std::make_shared<CGAL::Surface_mesh_parameterization::internal::Simplicial_solver_source>();
+  Run_control control([&] { return !is_stopped; }, {});
+  Phase_clock clock;
+  const Context context{parameters, control, clock};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Injective_cut cut{chart.cut, chart.chart, {chart.uv, infinity}, {}};
+  std::vector<CGAL::Surface_mesh_cutting::Trade_off> seen;
+  const auto overlapping = Injective_regluer<CGAL::Sequential_tag>(problem, context, infinity)
+                             .reglue(chart, parameters.maximum_average_distortion, cut, seen);
+  check(overlapping.has_value() == (cut.cut != chart.cut), "another map for another cut only");
+  check(!is_stopped || (!overlapping && seen.empty()), "a run that was stopped goes on");
+  if(!overlapping)
+    return false;
+  check(overlapping->cut == cut.cut && !seen.empty(), "a map of the cut that was taken");
+  check(is_disk(mesh, cut.cut), "a disk");
+  check_constraints(problem, cut.cut);
+  for(int v : problem.terminals)
+    check(std::count(cut.ends.begin(), cut.ends.end(), v) == 1, "trees through the ends miss a terminal");
+  check(is_bijective(cut.chart, cut.map.uv), "overlaps");
+  return true;
 }
 
 } // namespace
@@ -206,5 +269,11 @@ int main()
     sum += check_regluing(test::random_star_shape(random.get_int(3, 7), random), i % 2 == 1, random);
   std::cout << "overlap and cost: " << sum / number_of_surfaces << " of before" << std::endl;
   check(sum < 0.9 * number_of_surfaces, "little is rearranged");
+
+  int number = 0;
+  for(int i = 0; i < 12; ++i)
+    number += check_injective_regluing(test::random_star_shape(random.get_int(3, 6), random), i % 2 == 1, i % 6 == 5, random);
+  std::cout << number << " rearranged without overlaps" << std::endl;
+  check(number >= 3, "few are rearranged without overlaps");
   return test::exit_status();
 }

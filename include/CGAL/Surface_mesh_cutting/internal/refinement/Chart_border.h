@@ -31,7 +31,7 @@ struct Chart_border
   std::vector<int> halfedges, numbers; // along the border, and of each halfedge of the mesh its place there; -1: elsewhere
   std::vector<Eigen::Vector2d> points; // their sources
   std::vector<int> mates;              // of each, the number of that at the other side of the cut; -1: border of the mesh
-  std::vector<double> costs;           // of their edges, or lengths where these cannot be cut
+  std::vector<double> lengths, costs;  // of their edges; at the border of the mesh, both are lengths
 
   // `uv`: of the chart, a disk.
   Chart_border(const Problem& problem, const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
@@ -43,10 +43,10 @@ struct Chart_border
     for(int h : halfedges)
     {
       const int e = mesh.edge(h);
-      const bool has_cost = !mesh.is_border(h) && !problem.constraints.is_forbidden(e);
       points.push_back(uv[chart.source(h)]);
       mates.push_back(mesh.is_border(h) ? -1 : numbers[mesh.opposite(h)]);
-      costs.push_back(has_cost ? problem.constraints.weights[e] : mesh.length(e));
+      lengths.push_back(mesh.length(e));
+      costs.push_back(mesh.is_border(h) ? mesh.length(e) : problem.constraints.weights[e]);
     }
   }
 

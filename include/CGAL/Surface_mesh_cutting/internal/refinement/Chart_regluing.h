@@ -30,49 +30,62 @@ namespace internal {
 
 using Surface_mesh_parameterization::internal::Connected_parts;
 
+// A cut to one disk, and of each halfedge, where its source lies. The sides of a seam that was glued may lie apart.
+struct Arrangement
+{
+  Cut cut;
+  std::vector<Eigen::Vector2d> corners;
+};
+
 // Rearranges a disk whose flip-free map overlaps itself: a flap that lies on other parts is cut off and glued to another
 // seam of the cut, which gains the neck of the flap and loses that seam. So it goes on as long as what overlaps becomes less by
 // more than the cut becomes more expensive. Flaps move as they lie in the plane; what gluing distorts, a new map has to show.
 class Chart_regluing
 {
 public:
-  // `cost_of_overlap`: see `Flap_search`. The problem is kept as a reference.
-  Chart_regluing(const Problem& problem, const Open_chart& overlapping, double cost_of_overlap)
-    : m_problem(problem), m_cut(overlapping.cut)
+  // The problem is kept as a reference.
+  Chart_regluing(const Problem& problem, const Open_chart& overlapping) : m_problem(problem)
   {
-    constexpr int maximum_number_of_flaps = 12;
+    m_given.cut = overlapping.cut;
     for(int h = 0; h < problem.mesh.number_of_halfedges(); ++h)
-      m_corners.push_back(overlapping.uv[overlapping.chart.source(h)]);
-    Cut cut = m_cut;
-    std::vector<Eigen::Vector2d> corners = m_corners;
-    double least = std::numeric_limits<double>::infinity();
-    for(int i = 0; i <= maximum_number_of_flaps; ++i)
+      m_given.corners.push_back(overlapping.uv[overlapping.chart.source(h)]);
+    const Corner_table chart = make_chart(problem.mesh, m_given.cut);
+    if(is_disk(chart))
     {
-      const Corner_table chart = make_chart(problem.mesh, cut);
-      if(chart.border_loops().size() != 1) // not a disk
-        return;
-      const std::vector<Eigen::Vector2d> uv = positions(chart, corners);
-      const Flap_search search(problem, cut, chart, uv, cost_of_overlap);
-      const double objective = cut_cost(problem.constraints, cut) + search.overlap();
-      if(!(objective < least)) // what was found does not keep what it seemed to
-        return;
-      least = objective;
-      m_cut = cut;
-      m_corners = corners;
-      Flap_move move;
-      if(i == maximum_number_of_flaps || !search.find(move))
-        return;
-      apply(move, cut, corners);
+      const std::vector<Eigen::Vector2d> uv = positions(chart, m_given.corners);
+      m_necks = Flap_search(problem, m_given.cut, chart, uv).necks();
     }
   }
 
-  // Leaves one disk, too. What is mandatory, and the terminals, stay on it.
-  const Cut& cut() const { return m_cut; }
-
-  // Of each halfedge, where its source lies; the sides of a seam that was glued may lie apart.
-  const std::vector<Eigen::Vector2d>& corners() const { return m_corners; }
+  // `cost_of_overlap`: see `Flap_search`. What is mandatory, and the terminals, stay on the cut.
+  Arrangement rearranged(double cost_of_overlap, const Go_further& go_further) const
+  {
+    constexpr int maximum_number_of_flaps = 12;
+    Arrangement best = m_given, next = m_given;
+    double least = std::numeric_limits<double>::infinity();
+    for(int i = 0; i <= maximum_number_of_flaps && go_further(); ++i)
+    {
+      const Corner_table chart = make_chart(m_problem.mesh, next.cut);
+      if(!is_disk(chart))
+        return best;
+      const std::vector<Eigen::Vector2d> uv = positions(chart, next.corners);
+      const Flap_search search(m_problem, next.cut, chart, uv);
+      const double objective = cut_cost(m_problem.constraints, next.cut) + cost_of_overlap * search.overlap();
+      if(!(objective < least)) // what was found does not keep what it seemed to
+        return best;
+      least = objective;
+      best = next;
+      Flap_move move;
+      if(i == maximum_number_of_flaps || !search.find(i == 0 ? m_necks : search.necks(), cost_of_overlap, go_further, move))
+        return best;
+      apply(move, next);
+    }
+    return best;
+  }
 
 private:
+  static bool is_disk(const Corner_table& chart) { return chart.border_loops().size() == 1; }
+
   static std::vector<Eigen::Vector2d> positions(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corners)
   {
     std::vector<Eigen::Vector2d> uv(chart.number_of_vertices());
@@ -81,21 +94,21 @@ private:
     return uv;
   }
 
-  void apply(const Flap_move& move, Cut& cut, std::vector<Eigen::Vector2d>& corners) const
+  void apply(const Flap_move& move, Arrangement& arrangement) const
   {
     for(int e : move.neck)
-      cut[e] = 1;
-    const Connected_parts parts(make_chart(m_problem.mesh, cut).opposites());
-    for(int h = 0; h < int(corners.size()); ++h)
+      arrangement.cut[e] = 1;
+    const Connected_parts parts(make_chart(m_problem.mesh, arrangement.cut).opposites());
+    for(int h = 0; h < int(arrangement.corners.size()); ++h)
       if(parts.part[h / 3] == parts.part[move.face])
-        corners[h] = move.motion(corners[h]);
+        arrangement.corners[h] = move.motion(arrangement.corners[h]);
     for(int e : move.seam)
-      cut[e] = 0;
+      arrangement.cut[e] = 0;
   }
 
   const Problem& m_problem;
-  Cut m_cut;
-  std::vector<Eigen::Vector2d> m_corners; // of each halfedge, where its source lies
+  Arrangement m_given;
+  std::vector<Neck> m_necks; // of flaps of the given one
 };
 
 } // namespace internal

@@ -14,12 +14,15 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/Initial_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/End_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
 #include <limits>
@@ -66,8 +69,13 @@ public:
     return m_cut.tree().status;
   }
 
-  // Takes a cut to a disk instead, with what lies on it, and maps it. False as for map().
-  bool start(std::vector<int> ends, const Cut& cut) { return m_cut.start(std::move(ends), cut); }
+  // Takes a cut to a disk instead, on which the terminals are, and maps it. False as for map().
+  bool start(const Cut& cut)
+  {
+    std::vector<int> features = ends_and_forks(m_mesh, cut);
+    CGAL::internal::Graph_kernel::add_unique(m_problem.terminals, features);
+    return m_cut.start(std::move(features), cut);
+  }
 
   // Maps the surface opened along the connected cut; call after connect(). False if no flip-free map was
   // found or the run was stopped.

@@ -51,8 +51,8 @@ public:
     }
   }
 
-  // What the border costs where the flap covers itself, or the rest does, for each layer but the first; without the seam
-  // first..last and its mates.
+  // The length of the border where the flap covers itself, or the rest does, times the layers but the first; without the seam
+  // first..last and its mates. Not its cost: what lies in several layers lacks room, however cheap its border is.
   double least_overlap(int first, int last) const
   {
     double result = m_least_overlap;
@@ -70,7 +70,7 @@ public:
       if(!is_seam[i])
       {
         const int layers = m_layers[i] + (is_in_flap(i) ? m_rest(motion(m_points[i])) : m_flap(motion.undone(m_points[i])));
-        result += m_border.costs[i] * (std::max)(0, layers - 1);
+        result += m_border.lengths[i] * (std::max)(0, layers - 1);
       }
     return result;
   }
@@ -78,7 +78,7 @@ public:
 private:
   bool is_in_flap(int i) const { return m_border.distance(m_neck.from, i) < m_flap_size; }
 
-  double own_overlap(int i) const { return m_border.costs[i] * (std::max)(0, m_layers[i] - 1); }
+  double own_overlap(int i) const { return m_border.lengths[i] * (std::max)(0, m_layers[i] - 1); }
 
   // Calls f for both sides.
   template <typename Function>

@@ -14,19 +14,15 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Flap_layers.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/best_motion.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Seam_gluings.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
-
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -44,38 +40,44 @@ struct Flap_move
 // Looks for the flap of a disk to move so that what overlaps becomes less by most, against what that costs.
 class Flap_search
 {
-  using Vector2d = Eigen::Vector2d;
-
 public:
-  // `chart`: the disk that `cut` leaves, mapped to `uv`; `cost_of_overlap`: of getting the border out of where it lies in
-  // several layers, relative to what that border costs. The references are kept.
-  Flap_search(const Problem& problem, const Cut& cut, const Corner_table& chart, const std::vector<Vector2d>& uv,
-              double cost_of_overlap)
-    : m_problem(problem), m_cut(cut), m_chart(chart), m_uv(uv), m_cost_of_overlap(cost_of_overlap),
-      m_is_terminal(problem.terminal_marks()), m_border(problem, chart, uv),
-      m_overlap(cost_of_overlap * Flap_layers(m_border, Neck()).least_overlap(-1, -1))
+  // `chart`: the disk that `cut` leaves, mapped to `uv`. The references are kept.
+  Flap_search(const Problem& problem, const Cut& cut, const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
+    : m_problem(problem), m_cut(cut), m_chart(chart), m_uv(uv), m_border(problem, chart, uv), m_gluings(problem, m_border),
+      m_overlap(Flap_layers(m_border, Neck()).least_overlap(-1, -1))
   {}
 
-  // What it may cost to get the border out of where it lies in several layers.
+  // The length of the border where it lies in several layers, times the layers but the first.
   double overlap() const { return m_overlap; }
 
-  // False if no flap is worth its cost.
-  bool find(Flap_move& move) const
+  // Of flaps that overlap the rest, the best first.
+  std::vector<Neck> necks() const
   {
     using namespace Surface_mesh_parameterization::internal;
     const Border_overlaps overlaps(m_chart, Connected_parts(m_chart.opposites()), m_uv);
     if(overlaps.crossings().empty())
-      return false;
+      return {};
+    return Neck_search(m_problem, m_cut, m_border, overlaps.crossings())();
+  }
+
+  // `cost_of_overlap`: of getting a unit of length of the border out of where it lies in several layers, as slits do. False
+  // if no flap is worth its cost.
+  bool find(const std::vector<Neck>& necks, double cost_of_overlap, const Go_further& go_further, Flap_move& move) const
+  {
     Gluing best;
-    Neck best_neck;
-    double least = m_overlap;
+    const Neck* best_neck = nullptr;
+    double least = cost_of_overlap * m_overlap;
     int number_of_segments = 0;
-    for(const Neck& neck : Neck_search(m_problem, m_cut, m_border, overlaps.crossings())())
-      if(number_of_segments < enough_segments && improve(neck, least, best, number_of_segments))
-        best_neck = neck;
-    if(best_neck.from < 0)
+    for(const Neck& neck : necks)
+    {
+      if(number_of_segments >= enough_segments || !go_further())
+        break;
+      if(improve(neck, cost_of_overlap, least, best, number_of_segments))
+        best_neck = &neck;
+    }
+    if(!best_neck)
       return false;
-    move = {best_neck.edges, {}, m_border.halfedges[best_neck.from] / 3, best.motion};
+    move = {best_neck->edges, {}, m_border.halfedges[best_neck->from] / 3, best.motion};
     for(int i = best.first;; i = m_border.next(i))
     {
       move.seam.push_back(m_problem.mesh.edge(m_border.halfedges[i]));
@@ -87,18 +89,10 @@ public:
 private:
   static constexpr int enough_segments = 3000000; // of borders that are looked at
 
-  // Of a flap along the halfedges first..last of its border.
-  struct Gluing
-  {
-    int first = -1, last = -1;
-    double cost = 0; // added to the cut, and for what does not fit
-    Rigid_motion motion;
-  };
-
   // Takes the gluing of the flap that leaves less overlap and cost than `least`, if there is one.
-  bool improve(const Neck& neck, double& least, Gluing& best, int& number_of_segments) const
+  bool improve(const Neck& neck, double cost_of_overlap, double& least, Gluing& best, int& number_of_segments) const
   {
-    std::vector<Gluing> gluings = gluings_of(neck);
+    const std::vector<Gluing> gluings = m_gluings(neck);
     if(gluings.empty() || gluings.front().cost >= least)
       return false;
     const Flap_layers layers(m_border, neck);
@@ -108,11 +102,11 @@ private:
     {
       if(g.cost >= least)
         break;
-      if(g.cost + m_cost_of_overlap * layers.least_overlap(g.first, g.last) >= least)
+      if(g.cost + cost_of_overlap * layers.least_overlap(g.first, g.last) >= least)
         continue;
       number_of_segments += m_border.size();
       const double objective
-        = g.cost + m_cost_of_overlap * layers.overlap(g.motion, g.first, g.last, (least - g.cost) / m_cost_of_overlap);
+        = g.cost + cost_of_overlap * layers.overlap(g.motion, g.first, g.last, (least - g.cost) / cost_of_overlap);
       if(objective < least)
       {
         least = objective;
@@ -123,81 +117,12 @@ private:
     return is_better;
   }
 
-  // Along the runs of the flap's border that lie across from the rest of the disk, and along halves of them; the cheapest
-  // first.
-  std::vector<Gluing> gluings_of(const Neck& neck) const
-  {
-    std::vector<Gluing> gluings;
-    const int size = m_border.distance(neck.from, neck.to);
-    const auto faces_rest = [&](int i)
-    {
-      return m_border.mates[i] >= 0 && m_border.distance(neck.from, m_border.mates[i]) >= size &&
-             !m_problem.constraints.mandatory[m_problem.mesh.edge(m_border.halfedges[i])];
-    };
-    for(int i = neck.from; i != neck.to; i = m_border.next(i))
-    {
-      if(!faces_rest(i))
-        continue;
-      const int first = i;
-      int length = 1;
-      for(int next = m_border.next(i); next != neck.to && faces_rest(next) && is_run(i, next); next = m_border.next(i))
-      {
-        i = next;
-        ++length;
-      }
-      add_gluing(neck, first, i, gluings);
-      if(length < 4)
-        continue;
-      const int middle = (first + length / 2) % m_border.size();
-      add_gluing(neck, first, m_border.previous(middle), gluings);
-      add_gluing(neck, middle, i, gluings);
-    }
-    CGAL::internal::Graph_kernel::sort_by_key(gluings, [](const Gluing& gluing) { return gluing.cost; });
-    return gluings;
-  }
-
-  // Whether nothing else is cut, and no terminal lies, between two halfedges.
-  bool is_run(int i, int next) const
-  {
-    return m_border.mates[next] == m_border.previous(m_border.mates[i]) &&
-           !m_is_terminal[m_problem.mesh.source(m_border.halfedges[next])];
-  }
-
-  void add_gluing(const Neck& neck, int first, int last, std::vector<Gluing>& gluings) const
-  {
-    constexpr double largest_gap = 0.15; // of the seam; beyond, its sides are bent too differently
-    constexpr double cost_of_gap = 4;
-    std::vector<Vector2d> moved(1, m_border.points[first]);
-    std::vector<Vector2d> fixed(1, m_border.points[m_border.next(m_border.mates[first])]);
-    double cost = 0;
-    for(int i = first;; i = m_border.next(i))
-    {
-      moved.push_back(m_border.points[m_border.next(i)]);
-      fixed.push_back(m_border.points[m_border.mates[i]]);
-      cost += m_border.costs[i];
-      if(i == last)
-        break;
-    }
-    const Rigid_motion motion = best_motion(moved, fixed);
-    double squares = 0, length = 0;
-    for(std::size_t i = 0; i < moved.size(); ++i)
-    {
-      squares += (motion(moved[i]) - fixed[i]).squaredNorm();
-      if(i > 0)
-        length += (fixed[i] - fixed[i - 1]).norm();
-    }
-    const double gap = std::sqrt(squares / double(moved.size()));
-    if(gap <= largest_gap * length)
-      gluings.push_back({first, last, neck.cost - cost + cost_of_gap * gap * (length > 0 ? cost / length : 0), motion});
-  }
-
   const Problem& m_problem;
   const Cut& m_cut;
   const Corner_table& m_chart;
-  const std::vector<Vector2d>& m_uv;
-  const double m_cost_of_overlap;
-  const std::vector<char> m_is_terminal;
+  const std::vector<Eigen::Vector2d>& m_uv;
   const Chart_border m_border;
+  const Seam_gluings m_gluings;
   const double m_overlap;
 };
 

@@ -24,6 +24,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -35,67 +38,97 @@ class Injective_regluer
 {
   using Refiner = Cut_refiner<ConcurrencyTag>;
 
-public:
-  // The references to the problem and to what the context holds are kept.
-  Injective_regluer(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}
+  static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Takes another arrangement if that is likely to cost less at an energy of `goal`. `overlapping`: the best map of the cut
-  // that may overlap.
-  void reglue(const Open_chart& overlapping, double goal, Injective_cut& cut) const
+public:
+  // The references to the problem and to what the context holds are kept. Maps without overlaps that come to an energy of
+  // `hopeless` on the way are given up.
+  Injective_regluer(const Problem& problem, const Context& context, double hopeless)
+    : m_problem(problem), m_context(context), m_hopeless(hopeless)
+  {}
+
+  // Takes another arrangement into `cut` if that is likely to cost less at an energy of `goal`, and returns its best map that
+  // may overlap; none if all stays. `overlapping`: that of the given cut. Cuts that are mapped are added to `seen`.
+  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, Injective_cut& cut,
+                                   std::vector<Trade_off>& seen) const
   {
     constexpr double costs_of_overlap[] = {1, 0.3}; // both happen; where little is asked for, less is moved
-    Cut former;
+    std::optional<Open_chart> result;
+    if(!m_context.control.go_further())
+      return result;
+    const Chart_regluing regluing(m_problem, overlapping);
+    Cut former = overlapping.cut;
     for(double cost_of_overlap : costs_of_overlap)
     {
-      const Cut rearranged = Chart_regluing(m_problem, overlapping, cost_of_overlap).cut();
+      Cut rearranged = regluing.rearranged(cost_of_overlap, m_context.control).cut;
       if(rearranged == overlapping.cut || rearranged == former || !m_context.control.go_further())
         continue;
-      former = rearranged;
       Refiner refiner(m_problem, m_context);
-      if(!refiner.start(ends_and_forks(m_problem.mesh, rearranged), rearranged))
-        continue;
-      const double energy = take_if_better(refiner, goal, cut);
-      if(m_context.parameters.has_bound() && energy < std::numeric_limits<double>::infinity())
-      {
-        shorten(energy, goal, refiner);
-        take_if_better(refiner, goal, cut);
-      }
+      if(refiner.start(rearranged))
+        try_cut(refiner, goal, cut, result);
+      seen.insert(seen.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());
+      former = std::move(rearranged);
     }
+    return result;
   }
 
 private:
+  // As it is and, with a bound, shortened.
+  void try_cut(Refiner& refiner, double goal, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
+  {
+    const double energy = take_if_better(refiner, goal, cut, overlapping);
+    if(m_context.parameters.has_bound() && shorten(energy, goal, refiner))
+      take_if_better(refiner, goal, cut, overlapping);
+  }
+
   // Returns the energy of the map without overlaps.
-  double take_if_better(const Refiner& refiner, double goal, Injective_cut& cut) const
+  double take_if_better(const Refiner& refiner, double goal, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
   {
     Injective_cut other;
-    const Newton_result newton = final_map(m_problem, refiner.cut().chart(), m_context, other.map.uv);
+    const Open_chart& running = refiner.cut().chart();
+    const Newton_result newton = final_map(m_problem, running, m_context, other.map.uv, m_hopeless);
     if(newton.outcome == Newton_outcome::FAILED)
-      return std::numeric_limits<double>::infinity();
+      return infinity;
     other.map.energy = newton.energy;
     const Length_at_bound length(goal);
     if(length(refiner.cut().cost(), newton.energy) < length(cut_cost(m_problem.constraints, cut.cut), cut.map.energy))
     {
       other.cut = refiner.cut().cut();
-      other.chart = refiner.cut().chart().chart;
+      other.chart = running.chart;
       other.ends = refiner.cut().features();
       cut = std::move(other);
+      overlapping = running;
     }
     return newton.energy;
   }
 
-  // As if the map without overlaps stayed as much above the other one as it is.
-  void shorten(double energy, double goal, Refiner& refiner) const
+  // As if the map without overlaps stayed as much above the other one as it is. False if that comes to nothing: where it is
+  // too far above the goal, longer cuts would make room by chance only.
+  bool shorten(double energy, double goal, Refiner& refiner) const
   {
-    constexpr int number_of_solves = 20;
+    const double gap = (std::max)(0., energy - refiner.cut().energy());
     Refinement_limits limits;
-    limits.number_of_solves = number_of_solves;
-    limits.energy = goal - (std::max)(0., energy - refiner.cut().energy());
-    refiner.reduce_distortion_to(limits.energy);
+    limits.number_of_solves = maximum_number_of_solves();
+    if(gap >= goal - ideal || limits.number_of_solves == 0)
+      return false;
+    limits.energy = (std::max)(goal - gap, (goal + ideal) / 2);
+    if(!refiner.reduce_distortion_to(limits.energy))
+      return false;
     refiner.shorten(limits);
+    return true;
+  }
+
+  // Each of the whole surface: fewer on large ones, and none on the largest.
+  int maximum_number_of_solves() const
+  {
+    constexpr int enough_solves = 20, enough_solved_faces = 1000000;
+    return (std::min)(enough_solves, enough_solved_faces / m_problem.mesh.number_of_faces());
   }
 
   const Problem& m_problem;
   const Context m_context;
+  const double m_hopeless;
 };
 
 } // namespace internal

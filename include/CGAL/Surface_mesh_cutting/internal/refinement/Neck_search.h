@@ -78,13 +78,14 @@ public:
     const int number_of_starts
       = (std::max)(1, (std::min)(largest_number_of_starts, enough_vertices / m_disk.mesh.number_of_vertices()));
     std::vector<Neck> necks;
-    for(int from = 0; from < m_border.size(); from += (std::max)(1, m_border.size() / number_of_starts))
+    for(int from = 0; from < m_border.size(); from += 1 + (m_border.size() - 1) / number_of_starts)
       add_necks(from, necks);
     CGAL::internal::Graph_kernel::sort_by_key(necks, [](const Neck& neck) { return -separated_per_cost(neck); });
     return necks;
   }
 
 private:
+  // Infinite for a neck along edges that cost nothing.
   static double separated_per_cost(const Neck& neck) { return neck.number_of_separated / neck.cost; }
 
   void add_necks(int from, std::vector<Neck>& necks)
@@ -94,7 +95,7 @@ private:
     find_paths(from);
     std::vector<Neck> found;
     for(int to = 0; to < m_border.size(); ++to)
-      if(separated[to] > 0 && m_costs[to] > 0 && m_costs[to] < Shortest_paths::infinity())
+      if(separated[to] > 0 && m_costs[to] < Shortest_paths::infinity())
         found.push_back({from, to, m_costs[to], separated[to], {}});
     CGAL::internal::Graph_kernel::sort_by_key(found, [](const Neck& neck) { return -separated_per_cost(neck); });
     found.resize((std::min)(found.size(), number_of_necks));

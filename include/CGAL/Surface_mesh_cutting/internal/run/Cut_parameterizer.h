@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,15 +60,15 @@ public:
     {
       const bool may_grow = m_context.parameters.do_bijective && !m_context.parameters.use_published_method &&
                             !m_context.parameters.has_bound();
-      constexpr double hopeless = 1000; // a map that is more distorted is far from what slits lead to
       map(running, may_grow ? hopeless : infinity, result);
       if(may_grow)
       {
         constexpr double tolerance = 0.0195; // of the energy: less is not worth a longer cut
-        reglue(running, running.energy + tolerance, result);
+        const double goal = running.energy + tolerance;
+        const std::optional<Open_chart> rearranged = reglue(running, goal, result);
         if(result.energy < hopeless)
-          relieve(running, running.energy + tolerance, result);
-        if(!result.has_map || result.energy > running.energy + tolerance)
+          relieve(rearranged ? *rearranged : running, goal, result);
+        if(!result.has_map || result.energy > goal)
           divide(cut, result);
         if(!result.has_map && !m_context.control.is_stopped())
           map(running, infinity, result);
@@ -95,17 +96,21 @@ public:
     result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
   }
 
-  // Rearranges parts that are in each other's way, if that is likely to cost less than slits. False if all stays.
-  bool reglue(const Open_chart& overlapping, double goal, Component_result& result) const
+  // Rearranges parts that are in each other's way, if that is likely to cost less than slits. Returns the best map of the
+  // other cut that may overlap; none if all stays.
+  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, Component_result& result) const
   {
     if(!result.has_map || result.energy <= goal)
-      return false;
+      return std::nullopt;
     Injective_cut injective = injective_cut(result);
-    Injective_regluer<ConcurrencyTag>(m_problem, m_context).reglue(overlapping, goal, injective);
-    if(injective.cut == result.cut)
-      return false;
-    take_other_ends(std::move(injective), result);
-    return true;
+    std::optional<Open_chart> rearranged = Injective_regluer<ConcurrencyTag>(m_problem, m_context, hopeless)
+                                             .reglue(overlapping, goal, injective, result.trade_offs);
+    if(rearranged)
+    {
+      result.number_of_auxiliary_points = 0; // where the cut forks, it has ends
+      take_other_ends(std::move(injective), result);
+    }
+    return rearranged;
   }
 
   // Opens slits until the energy of the map without overlaps is at most `goal`, if that is possible: where the plane
@@ -178,6 +183,7 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double hopeless = 1000; // a map that is more distorted is far from what slits lead to
 
   void map(const Open_chart& running, double hopeless_energy, Component_result& result) const
   {

@@ -18,8 +18,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -127,10 +125,8 @@ public:
                                                                                      m_problem.terminals, m_control);
     if(!given.status)
       return results;
-    std::vector<int> ends = ends_and_forks(m_problem.mesh, given.cut);
-    CGAL::internal::Graph_kernel::add_unique(m_problem.terminals, ends);
     Refiner refiner(m_problem, m_context);
-    if(!refiner.start(std::move(ends), given.cut))
+    if(!refiner.start(given.cut))
       return results;
     Component_result completed, shortened;
     m_parameterizer(refiner.cut(), completed);
@@ -224,7 +220,8 @@ private:
   // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
   void make_room(const Refiner& refiner, double repair_threshold, Component_result& result) const
   {
-    if(m_parameters.has_bound() && m_parameters.do_bijective && result.energy > m_parameters.maximum_average_distortion)
+    if(m_parameters.has_bound() && m_parameters.do_bijective && result.energy > m_parameters.maximum_average_distortion &&
+       m_control.go_further())
     {
       const double cost_with_overlaps = result.cost;
       lower_without_overlaps(refiner, repair_threshold, result);
@@ -244,32 +241,43 @@ private:
   void lower_without_overlaps(const Refiner& refiner, double repair_threshold, Component_result& result) const
   {
     constexpr double little = 0.05; // of the cost: enough to end the search for room
-    const double bound = m_parameters.maximum_average_distortion, cost_with_overlaps = result.cost;
-    Component_result best = result;
-    if(m_parameterizer.reglue(refiner.cut().chart(), bound, best))
-      relieve(refiner, best);
-    if(keeps_bound(best) && best.cost <= (1 + little) * cost_with_overlaps)
+    const double cost_with_overlaps = result.cost;
+    const Open_chart& running = refiner.cut().chart();
+    Component_result rearranged = result;
+    if(const auto other = m_parameterizer.reglue(running, m_parameters.maximum_average_distortion, rearranged))
+      relieve(*other, rearranged);
+    if(!keeps_bound(rearranged) || rearranged.cost > (1 + little) * cost_with_overlaps)
     {
-      result = std::move(best);
-      return;
+      if(m_parameters.opens_slits_first)
+        relieve(running, result);
+      if(!m_parameters.opens_slits_first || !(keeps_bound(result) || keeps_bound(rearranged)))
+        lower_by_longer_cuts(refiner, repair_threshold, result);
+      if(!is_better(rearranged, result))
+      {
+        result.add(rearranged.trade_offs);
+        return;
+      }
+      rearranged.add(result.trade_offs);
     }
-    if(m_parameters.opens_slits_first)
-      relieve(refiner, result);
-    if(!m_parameters.opens_slits_first || !(keeps_bound(result) || keeps_bound(best)))
-      lower_by_longer_cuts(refiner, repair_threshold, result);
-    if(keeps_bound(best) && (!keeps_bound(result) || best.cost < result.cost))
-      result = std::move(best);
+    result = std::move(rearranged);
+  }
+
+  // By the energy above the bound, then by cost.
+  bool is_better(const Component_result& a, const Component_result& b) const
+  {
+    const auto rank = [this](const Component_result& r) { return std::make_pair(m_parameters.excess(r.energy), r.cost); };
+    return rank(a) < rank(b);
   }
 
   bool keeps_bound(const Component_result& result) const
   { return result.has_map && result.energy <= m_parameters.maximum_average_distortion; }
 
   // By slits where room is missing; whether they are worth moving ends, the effort says.
-  void relieve(const Refiner& refiner, Component_result& result) const
+  void relieve(const Open_chart& overlapping, Component_result& result) const
   {
     const double bound = m_parameters.maximum_average_distortion;
     Component_result relieved = result;
-    m_parameterizer.relieve(refiner.cut().chart(), bound, relieved);
+    m_parameterizer.relieve(overlapping, bound, relieved);
     if(!keeps_bound(relieved))
       return;
     if(m_parameters.opens_slits_first)
