@@ -174,10 +174,12 @@ void test_bijective()
   const auto result = SMC::unwrap(mesh, flat.is_cut, flat.uv, bijective);
   check(bool(result) && result.overlaps && *result.overlaps == 0, "a bijective map");
   check(bool(SMC::certify_unwrap(mesh, flat.is_cut, flat.uv, bijective)), "certificate of a bijective map");
-  // The same cut, or that with slits where parts are in each other's way.
-  check(result.cut_length >= plain.cut_length, "the cut of a bijective map");
-  check(result.cut_length > plain.cut_length || result.average_distortion >= plain.average_distortion,
-        "energy of a bijective map of the same cut");
+  // The same cut, or another one where parts are in each other's way.
+  bool is_same_cut = true;
+  for(auto e : edges(mesh))
+    is_same_cut = is_same_cut && get(maps.is_cut, e) == get(flat.is_cut, e);
+  check(!is_same_cut || result.average_distortion >= plain.average_distortion, "energy of a bijective map of the same cut");
+  check(result.cut_length < 1.1 * plain.cut_length, "the cut of a bijective map");
   check(result.average_distortion < plain.average_distortion + 0.1, "energy of a bijective map");
   Maps<test::Surface_mesh> again(mesh);
   SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv, bijective);
