@@ -17,11 +17,11 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -204,21 +204,10 @@ private:
     return std::min_element(results.begin(), results.end(), [this](const auto& a, const auto& b) { return is_better(a, b); });
   }
 
-  // The cheaper one that keeps the bound; without a bound, cost counts as much as where features are accepted, so that
-  // no other result is better in both.
   bool is_better(const Component_result& a, const Component_result& b) const
   {
-    const Cutting_parameters& parameters = m_context.parameters;
-    const auto rank = [&](const Component_result& r)
-    {
-      const double excess = r.has_map ? parameters.excess(r.energy) : infinity;
-      const double value = parameters.has_bound() ? r.cost : r.energy + parameters.decrease_per_cost * r.cost;
-      return std::make_pair(excess, value);
-    };
-    return rank(a) < rank(b);
+    return rank_of_result(a, m_context.parameters) < rank_of_result(b, m_context.parameters);
   }
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   Problem m_problem;
   const Context m_context;

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 
 #include <algorithm>
 #include <memory>
@@ -252,7 +253,7 @@ private:
         relieve(running, result);
       if(!m_parameters.opens_slits_first || !(keeps_bound(result) || keeps_bound(rearranged)))
         lower_by_longer_cuts(refiner, repair_threshold, result);
-      if(!is_better(rearranged, result))
+      if(!(rank_of_result(rearranged, m_parameters) < rank_of_result(result, m_parameters)))
       {
         result.add(rearranged.trade_offs);
         return;
@@ -260,13 +261,6 @@ private:
       rearranged.add(result.trade_offs);
     }
     result = std::move(rearranged);
-  }
-
-  // By the energy above the bound, then by cost.
-  bool is_better(const Component_result& a, const Component_result& b) const
-  {
-    const auto rank = [this](const Component_result& r) { return std::make_pair(m_parameters.excess(r.energy), r.cost); };
-    return rank(a) < rank(b);
   }
 
   bool keeps_bound(const Component_result& result) const
