@@ -2,7 +2,6 @@
 
 #include "Constraints.h"
 #include "Progress_visitor.h"
-#include "Thread_limit.h"
 #include "make_layout.h"
 #include "pack.h"
 #include "stop_request.h"
@@ -216,7 +215,6 @@ int available_threads()
 
 Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& options, Outcome& outcome)
 {
-  const Thread_limit limit(options.threads);
   using namespace CGAL::Surface_mesh_parameterization::internal;
   constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
   Mesh& mesh = surface.mesh;

@@ -1,5 +1,6 @@
 #include "unwrap_file.h"
 
+#include "Thread_limit.h"
 #include "mesh_file.h"
 #include "outputs.h"
 #include "run_unwrap.h"
@@ -45,6 +46,7 @@ void unwrap_file(const Options& options, Output_places& places, Outcome& outcome
 
 Layout unwrap_soup(const Polygon_soup& soup, const Options& options, Outcome& outcome)
 {
+  const Thread_limit limit(options.threads);
   outcome.vertices = soup.number_of_points();
   outcome.faces = soup.number_of_polygons();
   outcome.polygons = number_of_other_polygons(soup);
