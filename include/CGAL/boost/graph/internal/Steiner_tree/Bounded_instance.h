@@ -92,11 +92,13 @@ public:
   void ascend(const Go_further& go_further)
   {
     const int root = ++m_last_root % int(terminals().size());
-    m_dual.reset(new Dual_ascent(graph(), terminals(), root, ConcurrencyTag(), go_further));
     // trees along the arcs that the dual solution has used up are often short
-    m_dual_tree = grow_tree(graph(), terminals(), terminals()[root], [this](int i) {
-      return m_dual->is_saturated(i) ? graph().arcs[i].weight : Shortest_paths::infinity();
-    }, go_further);
+    const auto grow = [&](const Dual_ascent& dual) {
+      m_dual_tree = grow_tree(graph(), terminals(), terminals()[root], [&](int i) {
+        return dual.is_saturated(i) ? graph().arcs[i].weight : Shortest_paths::infinity();
+      }, go_further);
+    };
+    m_dual.reset(new Dual_ascent(graph(), terminals(), root, ConcurrencyTag(), go_further, grow));
     m_is_dual_new = true;
   }
 
@@ -193,7 +195,7 @@ private:
   {
     if(!m_dual)
       m_dual.reset(new Dual_ascent(graph(), terminals(), m_best_root % int(terminals().size()), ConcurrencyTag(),
-                                   go_further));
+                                   go_further, [](const Dual_ascent&) {}));
     const Completion_bound<Words> bound(*m_dual);
     Pruned_dynamic_programme<Words> programme(graph(), terminals(), bound, cut() - fixed_length(),
                                               maximum_number_of_states);

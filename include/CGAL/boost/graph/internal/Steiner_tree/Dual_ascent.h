@@ -110,9 +110,10 @@ private:
 public:
   // raises the sets around the terminals, the smallest first, until all are reached from the root along arcs of
   // reduced weight zero. All terminals must be in one component. Stopped earlier, it is a solution, too.
-  template <typename ConcurrencyTag>
+  // `use(*this)` is called with the reduced weights while the distances are still searched.
+  template <typename ConcurrencyTag, typename Use>
   Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root, ConcurrencyTag,
-              const Go_further& go_further)
+              const Go_further& go_further, const Use& use)
     : m_graph(&graph)
     , m_terminals(terminals)
     , m_root(root)
@@ -122,8 +123,10 @@ public:
     for(const Csr_graph::Arc& arc : graph.arcs)
       m_entering.push_back(arc.weight);
     ascend(go_further);
-    Graph_kernel::for_each_index<ConcurrencyTag>(2, [this](int i) {
+    Graph_kernel::for_each_index<ConcurrencyTag>(3, [this, &use](int i) {
       if(i == 0)
+        use(*this);
+      else if(i == 1)
         search_from_root();
       else
         search_to_terminals();
