@@ -111,7 +111,6 @@ public:
         continue;
       numbers[t] = int(triangles.size());
       Triangle corners = m_chart.triangles()[t];
-      s.shapes.push_back(shape(3 * t));
       for(int& v : corners)
       {
         if(compact[v] < 0)
@@ -125,13 +124,20 @@ public:
       triangles.push_back(corners);
       origin.push_back(t);
     }
-    std::vector<int> opposites;
-    for(int t : origin)
-      for(int k = 0; k < 3; ++k)
+    std::vector<int> opposites(3 * origin.size());
+    s.shapes.resize(origin.size());
+    execute_blocks(m_execution, int(origin.size()), [&](int begin, int end)
+    {
+      for(int i = begin; i < end; ++i)
       {
-        const int o = m_chart.opposites()[3 * t + k];
-        opposites.push_back(o < 0 ? -1 : 3 * numbers[o / 3] + o % 3);
+        s.shapes[i] = shape(3 * origin[i]);
+        for(int k = 0; k < 3; ++k)
+        {
+          const int o = m_chart.opposites()[3 * origin[i] + k];
+          opposites[3 * i + k] = o < 0 ? -1 : 3 * numbers[o / 3] + o % 3;
+        }
       }
+    });
     s.chart = Corner_table(std::move(triangles), std::move(opposites), int(s.vertices.size()));
     return s;
   }
