@@ -132,7 +132,8 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Run_control control([&visitor] { return bool(visitor.go_further()); },
                                 [&visitor](Phase phase, double fraction) { visitor.progress(phase, fraction); });
-  const auto adapter = internal::make_mesh_adapter(tmesh, np);
+  const auto adapter = internal::make_mesh_adapter(
+    tmesh, np, Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>());
   const internal::Packing_parameters parameters = internal::read_packing_parameters(np);
 
   Packing_result<TriangleMesh> result;

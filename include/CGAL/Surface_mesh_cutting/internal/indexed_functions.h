@@ -44,7 +44,7 @@ namespace internal {
 // function includes the one that it calls.
 
 // Refuses a mesh whose halfedges fit together but that is not manifold.
-CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh);
+CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh, Execution execution);
 
 // What is unusual about a mesh, though handled: why a result may look odd, or take long.
 CGAL_SURFACE_MESH_CUTTING_INLINE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <utility>
 #include <vector>
@@ -24,16 +25,17 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh)
+CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh, Execution execution)
 {
-  std::vector<int> found = vertices_with_several_fans(mesh);
-  if(!found.empty())
+  std::vector<int> pinched, doubled;
+  Surface_mesh_parameterization::internal::execute_both(
+    execution, [&] { pinched = vertices_with_several_fans(mesh); }, [&] { doubled = faces_given_twice(mesh); });
+  if(!pinched.empty())
     return Indexed_status(Status_code::NON_MANIFOLD, "vertices whose faces form more than one fan",
-                          Element_kind::VERTEX, std::move(found));
-  found = faces_given_twice(mesh);
-  if(!found.empty())
+                          Element_kind::VERTEX, std::move(pinched));
+  if(!doubled.empty())
     return Indexed_status(Status_code::NON_MANIFOLD, "duplicate faces",
-                          Element_kind::FACE, std::move(found));
+                          Element_kind::FACE, std::move(doubled));
   return Indexed_status();
 }
 

@@ -55,19 +55,18 @@ public:
   using face_descriptor = typename Graph_traits::face_descriptor;
 
   // O(n). The indexed mesh exists only where `status()` is OK.
-  Mesh_adapter(const TriangleMesh& tmesh, VertexPointMap vpm)
+  Mesh_adapter(const TriangleMesh& tmesh, VertexPointMap vpm, Execution execution = Execution::SEQUENTIAL)
     : m_tmesh(tmesh)
   {
     std::vector<Point> points;
-    Polygons polygons;
     std::vector<int> opposites;
     m_status = read_points(vpm, points);
     if(m_status)
-      read_faces(polygons);
+      read_faces();
     if(m_status)
-      read_opposites(polygons, opposites);
+      read_opposites(opposites);
     if(m_status)
-      make_mesh(std::move(points), polygons, opposites);
+      make_mesh(std::move(points), m_outlines, opposites, execution);
   }
 
   vertex_descriptor to_vertex(int v) const { return m_vertices[v]; }
@@ -77,7 +76,10 @@ public:
   edge_descriptor to_edge(int e) const { return edge(to_halfedge(mesh().halfedge(e)), m_tmesh); }
 
   // The halfedge of the caller's mesh that leads to the corner from which a halfedge of the indexed mesh starts.
-  halfedge_descriptor to_halfedge_at_source(int h) const { return prev(m_halfedges[to_corner(h)], m_tmesh); }
+  halfedge_descriptor to_halfedge_at_source(int h) const
+  {
+    return m_halfedges[m_outlines.previous(to_polygon(h / 3), to_corner(h))];
+  }
 
   // Marks on border edges are ignored.
   template <typename EdgeIsCutMap>
@@ -162,14 +164,14 @@ private:
     return Indexed_status();
   }
 
-  void read_faces(Polygons& polygons)
+  void read_faces()
   {
     auto index = get(CGAL::dynamic_vertex_property_t<int>(), m_tmesh);
     for(std::size_t v = 0; v < m_vertices.size(); ++v)
       put(index, m_vertices[v], int(v));
 
-    polygons.ends.reserve(num_faces(m_tmesh));
-    polygons.vertices.reserve(num_halfedges(m_tmesh));
+    m_outlines.ends.reserve(num_faces(m_tmesh));
+    m_outlines.vertices.reserve(num_halfedges(m_tmesh));
     m_faces.reserve(num_faces(m_tmesh));
     m_halfedges.reserve(num_halfedges(m_tmesh));
     const std::size_t number_of_halfedges = num_halfedges(m_tmesh);
@@ -184,16 +186,16 @@ private:
           other.push_back(int(m_faces.size()));
           break;
         }
-        polygons.vertices.push_back(get(index, source(h, m_tmesh)));
+        m_outlines.vertices.push_back(get(index, source(h, m_tmesh)));
         m_halfedges.push_back(h);
         h = next(h, m_tmesh);
       }
       while(h != halfedge(f, m_tmesh));
       m_faces.push_back(f);
-      polygons.close();
+      m_outlines.close();
     }
-    const std::vector<char> is_simple = polygons.are_simple(int(m_vertices.size()));
-    for(int f = 0; f < polygons.number(); ++f)
+    const std::vector<char> is_simple = m_outlines.are_simple(int(m_vertices.size()));
+    for(int f = 0; f < m_outlines.number(); ++f)
       if(!is_simple[f])
         other.push_back(f);
     if(!other.empty())
@@ -203,7 +205,7 @@ private:
       m_status = Indexed_status(Status_code::EMPTY_MESH, "the mesh has no face");
   }
 
-  void read_opposites(const Polygons& polygons, std::vector<int>& opposites)
+  void read_opposites(std::vector<int>& opposites)
   {
     auto index = get(CGAL::dynamic_halfedge_property_t<int>(), m_tmesh);
     for(std::size_t h = 0; h < m_halfedges.size(); ++h)
@@ -211,14 +213,15 @@ private:
 
     opposites.reserve(m_halfedges.size());
     std::vector<int> misfits;
-    for(int polygon = 0; polygon < polygons.number(); ++polygon)
-      for(int h = polygons.begin(polygon); h < polygons.end(polygon); ++h)
+    for(int polygon = 0; polygon < m_outlines.number(); ++polygon)
+      for(int h = m_outlines.begin(polygon); h < m_outlines.end(polygon); ++h)
       {
         const halfedge_descriptor o = opposite(m_halfedges[h], m_tmesh);
-        opposites.push_back(is_border(o, m_tmesh) ? -1 : get(index, o));
-        const bool fits = opposites.back() < 0 ||
-                          (m_halfedges[opposites.back()] == o &&
-                           polygons.vertices[opposites.back()] == polygons.vertices[polygons.next(polygon, h)]);
+        const int i = get(index, o); // anything where `o` is not a side
+        const bool is_side = i >= 0 && i < int(m_halfedges.size()) && m_halfedges[i] == o;
+        opposites.push_back(is_side ? i : -1);
+        const bool fits = is_side ? m_outlines.vertices[i] == m_outlines.vertices[m_outlines.next(polygon, h)]
+                                  : is_border(o, m_tmesh);
         if(!fits && (misfits.empty() || misfits.back() != polygon))
           misfits.push_back(polygon);
       }
@@ -229,13 +232,14 @@ private:
 
   const TriangleMesh& m_tmesh;
   std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges; // of the sides of polygons
+  Polygons m_outlines;                          // of the faces
+  std::vector<halfedge_descriptor> m_halfedges; // of their sides
   std::vector<face_descriptor> m_faces;
 };
 
 // With the points that the named parameters give.
 template <typename TriangleMesh, typename NamedParameters>
-auto make_mesh_adapter(const TriangleMesh& tmesh, const NamedParameters& np)
+auto make_mesh_adapter(const TriangleMesh& tmesh, const NamedParameters& np, Execution execution = Execution::SEQUENTIAL)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -243,7 +247,8 @@ auto make_mesh_adapter(const TriangleMesh& tmesh, const NamedParameters& np)
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   return Mesh_adapter<TriangleMesh, Vertex_point_map>(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                            get_const_property_map(CGAL::vertex_point, tmesh)));
+                            get_const_property_map(CGAL::vertex_point, tmesh)),
+    execution);
 }
 
 } // namespace internal

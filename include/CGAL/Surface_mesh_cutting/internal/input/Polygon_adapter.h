@@ -86,7 +86,8 @@ protected:
 
   // `opposites` holds the side across each side, or -1 on a border; no polygon has a vertex twice. O(n).
   CGAL_SURFACE_MESH_CUTTING_INLINE
-  void make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites);
+  void make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites,
+                 Execution execution = Execution::SEQUENTIAL);
 
   // Before there are triangles; `polygons` are indices of polygons, in any order.
   CGAL_SURFACE_MESH_CUTTING_INLINE

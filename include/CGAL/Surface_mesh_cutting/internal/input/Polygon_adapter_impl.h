@@ -54,7 +54,8 @@ void Polygon_adapter::normalize(std::vector<Point>& points, const Polygons& poly
 }
 
 CGAL_SURFACE_MESH_CUTTING_INLINE
-void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites)
+void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites,
+                                Execution execution)
 {
   normalize(points, polygons);
   Polygon_triangulation triangulation = triangulate_polygons(points, polygons, opposites);
@@ -68,8 +69,9 @@ void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polyg
   m_corners = std::move(triangulation.corners);
   m_sides = std::move(triangulation.sides);
   m_polygons = std::move(triangulation.polygons);
-  m_mesh = Indexed_mesh(std::move(points), std::move(triangulation.triangles), std::move(triangulation.opposites));
-  m_status = check_mesh(m_mesh);
+  m_mesh = Indexed_mesh(std::move(points), std::move(triangulation.triangles), std::move(triangulation.opposites),
+                        execution);
+  m_status = check_mesh(m_mesh, execution);
 }
 
 CGAL_SURFACE_MESH_CUTTING_INLINE

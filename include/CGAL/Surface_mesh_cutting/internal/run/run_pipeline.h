@@ -156,7 +156,9 @@ template <typename ConcurrencyTag, typename Result, typename UV = Eigen::Vector2
           typename WriteResult, typename NamedParameters>
 Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write, const NamedParameters& np)
 {
-  return run_on_adapter<ConcurrencyTag, Result, UV>([&] { return make_mesh_adapter(tmesh, np); }, output, write, np);
+  constexpr Execution execution = Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>();
+  return run_on_adapter<ConcurrencyTag, Result, UV>([&] { return make_mesh_adapter(tmesh, np, execution); }, output, write,
+                                                    np);
 }
 
 } // namespace internal

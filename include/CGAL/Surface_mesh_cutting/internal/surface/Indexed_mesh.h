@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 
@@ -30,6 +31,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::Corner_table;
+using Surface_mesh_parameterization::internal::Execution;
 using Surface_mesh_parameterization::internal::Triangle;
 using Surface_mesh_parameterization::internal::next_halfedge;
 using Surface_mesh_parameterization::internal::previous_halfedge;
@@ -46,15 +48,23 @@ public:
   Indexed_mesh() = default;
 
   // `opposites` holds, for each halfedge, the one across the edge, or -1 on a border. O(n).
-  Indexed_mesh(std::vector<Point> points, std::vector<Triangle> triangles, std::vector<int> opposites)
+  Indexed_mesh(std::vector<Point> points, std::vector<Triangle> triangles, std::vector<int> opposites,
+               Execution execution = Execution::SEQUENTIAL)
     : m_points(std::move(points)), m_triangles(std::move(triangles)),
       m_opposites(std::move(opposites))
   {
     number_edges();
-    std::vector<CGAL::internal::Graph_kernel::Edge> edges;
-    edges.reserve(m_edge_halfedges.size());
-    for(int e = 0; e < number_of_edges(); ++e)
-      edges.push_back({source(halfedge(e)), target(halfedge(e)), length(e)});
+    m_lengths.resize(number_of_edges());
+    std::vector<CGAL::internal::Graph_kernel::Edge> edges(number_of_edges());
+    Surface_mesh_parameterization::internal::execute_blocks(execution, number_of_edges(), [&](int begin, int end)
+    {
+      for(int e = begin; e < end; ++e)
+      {
+        const int v = source(halfedge(e)), w = target(halfedge(e));
+        m_lengths[e] = (m_points[v] - m_points[w]).norm();
+        edges[e] = {v, w, m_lengths[e]};
+      }
+    });
     m_graph = Csr_graph(number_of_vertices(), std::move(edges));
   }
 
@@ -96,7 +106,6 @@ private:
   {
     m_edges.assign(m_opposites.size(), -1);
     m_edge_halfedges.reserve(m_opposites.size() / 2);
-    m_lengths.reserve(m_opposites.size() / 2);
     for(int h = 0; h < number_of_halfedges(); ++h)
     {
       const int o = m_opposites[h];
@@ -107,7 +116,6 @@ private:
       }
       m_edges[h] = int(m_edge_halfedges.size());
       m_edge_halfedges.push_back(h);
-      m_lengths.push_back((m_points[source(h)] - m_points[target(h)]).norm());
     }
   }
 
