@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -229,7 +228,7 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
     return {};
 
   // On other polygons, both make an adapter, and each would add properties to the mesh.
-  const Execution on_triangles = CGAL::is_triangle_mesh(mesh) ? execution : Execution::SEQUENTIAL;
+  const Execution on_triangles = *outcome.polygons == 0 ? execution : Execution::SEQUENTIAL;
   Layout layout;
   execute_both(on_triangles, [&] { pack(mesh, is_cut, uvs, options, outcome); },
                [&] { layout = make_layout(surface, is_cut, soup); });
