@@ -1,5 +1,5 @@
-// The flat graph as a model of Boost's graph concepts; shortest paths and spanning trees against Boost's algorithms, and
-// the public call on it.
+// The flat graph as a model of Boost's graph concepts; shortest paths, spanning trees and disjoint sets against Boost's
+// algorithms, and the public call on it.
 
 #include "steiner_tree_checks.h"
 
@@ -8,6 +8,7 @@
 #include <CGAL/boost/graph/steiner_tree.h>
 
 #include <boost/concept/assert.hpp>
+#include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/graph_concepts.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
@@ -64,6 +65,23 @@ void test_spanning_forest(const Csr_graph& graph)
   CHECK(Core::total_weight(graph, forest) == length);
 }
 
+// Components are numbered in the order of their lowest vertices.
+void test_disjoint_sets(const Csr_graph& graph)
+{
+  std::vector<int> expected(graph.number_of_vertices()), lowest;
+  const int number = boost::connected_components(graph, expected.data());
+  for(int v = 0; v < graph.number_of_vertices(); ++v)
+    if(expected[v] == int(lowest.size()))
+      lowest.push_back(v);
+  Core::Disjoint_sets sets(graph.number_of_vertices());
+  int number_of_sets = graph.number_of_vertices();
+  for(const Core::Edge& e : graph.edges)
+    number_of_sets -= sets.unite(e.source, e.target);
+  CHECK(number_of_sets == number);
+  for(int v = 0; v < graph.number_of_vertices(); ++v)
+    CHECK(sets.find(v) == lowest[expected[v]]);
+}
+
 int main()
 {
   const unsigned int seed = 20260103;
@@ -73,6 +91,7 @@ int main()
     const Csr_graph graph = random_graph(random);
     test_shortest_paths(graph, random.get_int(0, graph.number_of_vertices()));
     test_spanning_forest(graph);
+    test_disjoint_sets(graph);
 
     // terminals may be given several times
     const int s = random.get_int(0, graph.number_of_vertices()), t = random.get_int(0, graph.number_of_vertices());

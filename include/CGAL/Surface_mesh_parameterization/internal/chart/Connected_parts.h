@@ -16,7 +16,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
-#include <algorithm>
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -35,36 +36,21 @@ struct Connected_parts
     : Connected_parts(opposites, [](int) { return false; })
   {}
 
-  // The same without some triangles, which belong to part -1. Each triangle points to a lower one of its part, the lowest
-  // to itself. Taken in their order, triangles mostly meet neighbors that are near in memory, unlike in a search.
+  // The same without some triangles, which belong to part -1.
   template <typename IsExcluded>
   Connected_parts(const std::vector<int>& opposites, IsExcluded is_excluded)
     : part(opposites.size() / 3, -1)
   {
+    CGAL::internal::Graph_kernel::Disjoint_sets sets(int(part.size()));
+    for(int h = 0; h < int(opposites.size()); ++h)
+      if(const int o = opposites[h]; o >= 0 && o < h && !is_excluded(h / 3) && !is_excluded(o / 3))
+        sets.unite(h / 3, o / 3);
     for(int t = 0; t < int(part.size()); ++t)
-    {
-      if(is_excluded(t))
-        continue;
-      int root = part[t] = t;
-      for(int h = 3 * t; h < 3 * t + 3; ++h)
-        if(const int o = opposites[h]; o >= 0 && o < h && part[o / 3] >= 0)
-        {
-          const int other = lowest(o / 3);
-          part[(std::max)(root, other)] = (std::min)(root, other);
-          root = (std::min)(root, other);
-        }
-    }
-    for(int t = 0; t < int(part.size()); ++t)
-      if(part[t] >= 0)
-        part[t] = part[t] == t ? number++ : part[part[t]];
-  }
-
-private:
-  int lowest(int t)
-  {
-    while(part[t] != t)
-      t = part[t] = part[part[t]];
-    return t;
+      if(!is_excluded(t))
+      {
+        const int lowest = sets.find(t);
+        part[t] = lowest == t ? number++ : part[lowest];
+      }
   }
 };
 
