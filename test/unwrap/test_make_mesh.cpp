@@ -21,6 +21,8 @@ using CGAL::Surface_mesh_cutting::internal::Point;
 using CGAL::Surface_mesh_cutting::internal::Polygons;
 using CGAL::Surface_mesh_cutting::internal::Soup_surface;
 
+constexpr auto execution = CGAL::Surface_mesh_parameterization::internal::execution_of<CGAL::Parallel_if_available_tag>();
+
 // The fewer points, the more polygons meet at each of them.
 Soup_surface random_surface(CGAL::Random& random)
 {
@@ -35,7 +37,7 @@ Soup_surface random_surface(CGAL::Random& random)
       polygons.vertices.push_back(random.get_int(0, int(points.size())));
     polygons.close();
   }
-  return CGAL::Surface_mesh_cutting::internal::read_soup(points, polygons, true);
+  return CGAL::Surface_mesh_cutting::internal::read_soup(points, polygons, true, execution);
 }
 
 Mesh add_one_by_one(const Soup_surface& surface)

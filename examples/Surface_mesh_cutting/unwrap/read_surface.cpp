@@ -25,7 +25,8 @@ SMC::internal::Soup_surface read(const Polygon_soup& soup, bool do_weld)
   SMC::internal::Polygons polygons;
   polygons.vertices = soup.corners;
   polygons.ends.assign(soup.polygon_ends.begin(), soup.polygon_ends.end());
-  return SMC::internal::read_soup(points, polygons, do_weld);
+  using namespace CGAL::Surface_mesh_parameterization::internal;
+  return SMC::internal::read_soup(points, polygons, do_weld, execution_of<CGAL::Parallel_if_available_tag>());
 }
 
 Interpretation translate(const SMC::Interpretation& finding)

@@ -100,7 +100,8 @@ Unwrap_soup_result unwrap_polygon_soup(const PointRange& points, const PolygonRa
   Unwrap_soup_result result = internal::run_on_adapter<ConcurrencyTag, Unwrap_soup_result, UV>(
     [&]
     {
-      internal::Soup_adapter adapter(points, polygons, do_weld);
+      internal::Soup_adapter adapter(points, polygons, do_weld,
+                                     Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>());
       interpreted = adapter.surface().findings;
       return adapter;
     },

@@ -58,7 +58,7 @@ Polygon_triangulation triangulate_polygons(const std::vector<Point>& points, con
 // Reads a polygon soup as a surface. Points are finite and indices in range. `do_weld`: whether vertices at exactly the same
 // point are one. Nearly linear time.
 CGAL_SURFACE_MESH_CUTTING_INLINE
-Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, bool do_weld);
+Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, bool do_weld, Execution execution);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
 template <typename ConcurrencyTag>

@@ -48,18 +48,19 @@ public:
 
   // O(n). The indexed mesh exists only where `status()` is OK.
   template <typename PointRange, typename PolygonRange>
-  Soup_adapter(const PointRange& points, const PolygonRange& polygons, bool do_weld)
+  Soup_adapter(const PointRange& points, const PolygonRange& polygons, bool do_weld,
+               Execution execution = Execution::SEQUENTIAL)
   {
     const std::vector<Point> coordinates = read_points(points);
     const Polygons soup = read_polygons(polygons, int(coordinates.size()));
     if(!m_status)
       return;
-    m_surface = read_soup(coordinates, soup, do_weld);
+    m_surface = read_soup(coordinates, soup, do_weld, execution);
     begin_triangles_with_last_corner(m_surface);
     if(m_surface.polygons.number() == 0)
       m_status = Indexed_status(Status_code::EMPTY_MESH, "no polygon is part of a surface");
     else
-      make_mesh(m_surface.points, m_surface.polygons, m_surface.opposites);
+      make_mesh(m_surface.points, m_surface.polygons, m_surface.opposites, execution);
   }
 
   const Soup_surface& surface() const { return m_surface; }

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <algorithm>
 #include <tuple>
@@ -23,6 +24,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::Execution;
 
 // The sides of polygons, those between the same two vertices next to each other: each such group is an edge of the
 // soup. Edges are in the order of their vertices.
@@ -37,18 +40,21 @@ public:
   };
 
   // Of the polygons that are `is_used`. O(n) unless many edges share their lowest vertex.
-  Soup_edges(const Polygons& polygons, const std::vector<char>& is_used, int number_of_vertices)
+  Soup_edges(const Polygons& polygons, const std::vector<char>& is_used, int number_of_vertices, Execution execution)
   {
     std::vector<int> places(number_of_vertices + 1, 0);
     for_each_side(polygons, is_used, [&](const Side& side) { ++places[side.low + 1]; });
     for(int v = 0; v < number_of_vertices; ++v)
       places[v + 1] += places[v];
-    const std::vector<int> ends(places.begin() + 1, places.end());
+    const std::vector<int> begins = places;
     m_sides.resize(places.back());
     for_each_side(polygons, is_used, [&](const Side& side) { m_sides[places[side.low]++] = side; });
-    for(int v = 0, first = 0; v < number_of_vertices; first = ends[v++])
-      std::sort(m_sides.begin() + first, m_sides.begin() + ends[v], [](const Side& a, const Side& b)
-                { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
+    Surface_mesh_parameterization::internal::execute_blocks(execution, number_of_vertices, [&](int first, int last)
+    {
+      for(int v = first; v < last; ++v)
+        std::sort(m_sides.begin() + begins[v], m_sides.begin() + begins[v + 1], [](const Side& a, const Side& b)
+                  { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
+    });
     m_begins.reserve(m_sides.size() / 2 + 1);
     for(int i = 0; i < int(m_sides.size()); ++i)
       if(i == 0 || m_sides[i].low != m_sides[i - 1].low || m_sides[i].high != m_sides[i - 1].high)

@@ -40,12 +40,13 @@ class Soup_reader
 
 public:
   // Points are finite and indices in range. `do_weld`: whether vertices at exactly the same point are one.
-  Soup_reader(const std::vector<Point>& points, const Polygons& soup, bool do_weld)
-    : m_points(points), m_soup(soup), m_welded(soup), m_representatives(points.size()), m_owners(soup.owners())
+  Soup_reader(const std::vector<Point>& points, const Polygons& soup, bool do_weld, Execution execution)
+    : m_points(points), m_soup(soup), m_execution(execution), m_welded(soup), m_representatives(points.size()),
+      m_owners(soup.owners())
   {
     weld(do_weld);
     const std::vector<char> is_simple = m_welded.are_simple(number_of_points());
-    m_former = former_duplicates(m_welded, is_simple, number_of_points());
+    m_former = former_duplicates(m_welded, is_simple, number_of_points(), m_execution);
     m_is_used = is_simple;
     for(int p = 0; p < m_welded.number(); ++p)
     {
@@ -61,13 +62,12 @@ public:
 
   Soup_surface run()
   {
-    const Soup_edges edges(m_welded, m_is_used, number_of_points());
+    const Soup_edges edges(m_welded, m_is_used, number_of_points(), m_execution);
     const Sheet_joiner joiner(m_points, m_welded, m_is_used, edges);
     m_mates = joiner.mates();
     m_is_turned = joiner.is_turned();
     m_fans = fans_across(m_mates);
-    describe(edges, joiner);
-    number_fans();
+    execute_both(m_execution, [&] { describe(edges, joiner); }, [&] { number_fans(); });
     while(open_double_edges(edges) || (assemble(), open_doubled_polygons()))
     {
       m_fans = fans_across(m_mates);
@@ -148,35 +148,25 @@ private:
     for(int e = 0; e < edges.number(); ++e)
       for(int i = 1; i < edges.size(e); ++i)
         unite_ends(edges.side(e, 0).corner, edges.side(e, i).corner, fans);
-    std::vector<int> result(m_welded.vertices.size());
-    for(int c = 0; c < m_welded.number_of_corners(); ++c)
-      result[c] = fans.find(c);
-    return result;
+    return representatives(fans);
   }
 
-  // The same where `mates` are neighbors: what a walk around the vertex meets, across one side of the corner and, if
-  // that ends at a border, across the other one.
+  // The same where `mates` are neighbors.
   std::vector<int> fans_across(const std::vector<int>& mates) const
   {
-    std::vector<int> fans(m_welded.vertices.size(), -1);
-    for_each_used_corner([&](int polygon, int seed)
-    {
-      if(fans[seed] >= 0)
-        return;
-      fans[seed] = seed;
-      for(const int first : {seed, m_welded.previous(polygon, seed)})
-        for(int side = first; mates[side] >= 0;)
-        {
-          const int mate = mates[side], owner = m_owners[mate];
-          const bool starts_here = m_welded.vertices[mate] == m_welded.vertices[seed];
-          const int c = starts_here ? mate : m_welded.next(owner, mate);
-          if(fans[c] >= 0)
-            break; // the walk has come around
-          fans[c] = seed;
-          side = starts_here ? m_welded.previous(owner, c) : c;
-        }
-    });
-    return fans;
+    Disjoint_sets fans(m_welded.number_of_corners());
+    for(int side = 0; side < m_welded.number_of_corners(); ++side)
+      if(mates[side] >= 0 && mates[side] < side)
+        unite_ends(mates[side], side, fans);
+    return representatives(fans);
+  }
+
+  std::vector<int> representatives(Disjoint_sets& sets) const
+  {
+    std::vector<int> result(m_welded.vertices.size());
+    for(int c = 0; c < m_welded.number_of_corners(); ++c)
+      result[c] = sets.find(c);
+    return result;
   }
 
   template <typename Visit>
@@ -295,10 +285,11 @@ private:
       m_surface.polygon_origins.push_back(p);
     }
     m_surface.opposites.assign(m_surface.polygons.vertices.size(), -1);
-    for_each_used_corner([&](int, int c)
+    execute_blocks(m_execution, m_welded.number_of_corners(), [&](int begin, int end)
     {
-      if(m_mates[c] >= 0)
-        m_surface.opposites[side_of_surface(c)] = side_of_surface(m_mates[c]);
+      for(int c = begin; c < end; ++c)
+        if(m_mates[c] >= 0)
+          m_surface.opposites[side_of_surface(c)] = side_of_surface(m_mates[c]);
     });
   }
 
@@ -354,6 +345,7 @@ private:
 
   const std::vector<Point>& m_points;
   const Polygons& m_soup;
+  const Execution m_execution;
   Polygons m_welded; // the soup, of the vertices that stand for others
   std::vector<int> m_representatives;
   const std::vector<int> m_owners;

@@ -50,7 +50,7 @@ inline std::vector<int> first_vertices_at_points(const std::vector<Point>& point
 // For each polygon that has the vertices of a former one in the same cyclic order, the first such; -1 for the others.
 // Those that are not `is_simple` are passed over. O(n) unless many polygons share their lowest vertex.
 inline std::vector<int> former_duplicates(const Polygons& polygons, const std::vector<char>& is_simple,
-                                          int number_of_vertices)
+                                          int number_of_vertices, Execution execution)
 {
   std::vector<int> starts(polygons.ends.size()); // the corner at the lowest vertex
   std::vector<int> ends(number_of_vertices + 1, 0);
@@ -82,14 +82,17 @@ inline std::vector<int> former_duplicates(const Polygons& polygons, const std::v
     return 0;
   };
   std::vector<int> result(polygons.ends.size(), -1);
-  for(int v = 0; v < number_of_vertices; ++v)
+  Surface_mesh_parameterization::internal::execute_blocks(execution, number_of_vertices, [&](int first, int last)
   {
-    std::sort(order.begin() + ends[v], order.begin() + ends[v + 1], [&](int p, int q)
-              { const int c = comparison(p, q); return c != 0 ? c < 0 : p < q; });
-    for(int i = ends[v] + 1; i < ends[v + 1]; ++i)
-      if(comparison(order[i - 1], order[i]) == 0)
-        result[order[i]] = result[order[i - 1]] >= 0 ? result[order[i - 1]] : order[i - 1];
-  }
+    for(int v = first; v < last; ++v)
+    {
+      std::sort(order.begin() + ends[v], order.begin() + ends[v + 1], [&](int p, int q)
+                { const int c = comparison(p, q); return c != 0 ? c < 0 : p < q; });
+      for(int i = ends[v] + 1; i < ends[v + 1]; ++i)
+        if(comparison(order[i - 1], order[i]) == 0)
+          result[order[i]] = result[order[i - 1]] >= 0 ? result[order[i - 1]] : order[i - 1];
+    }
+  });
   return result;
 }
 
