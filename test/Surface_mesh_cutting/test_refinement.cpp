@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_cutting/greedy_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/distortion_tree.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
@@ -18,7 +19,9 @@
 #include <CGAL/Random.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -88,6 +91,44 @@ void check_trade_offs(const Result& result)
     holds_result = holds_result || std::abs(t[i].cut_length - result.cut_length) < 1e-9 * result.cut_length;
   }
   check(!t.empty() && is_monotonic && holds_result, "trade-offs: from short to long, with the result");
+}
+
+// Of random trade-offs with costs that are equal, nearly so, or not, those remain that no other one is better than, and the
+// result, which nothing claims to beat.
+void test_undominated_trade_offs(CGAL::Random& random)
+{
+  constexpr double rounding = 1e-12;
+  const auto random_trade_off = [&]
+  {
+    const double cost = random.get_int(1, 6) * (1 + random.get_int(-2, 3) * 1e-16);
+    return SMC::Trade_off{cost, cost, 4 + random.get_int(0, 6) / 8.};
+  };
+  for(int repetition = 0; repetition < 1000; ++repetition)
+  {
+    SMC::internal::Component_result result;
+    for(int i = random.get_int(0, 12); i > 0; --i)
+      result.trade_offs.push_back(random_trade_off());
+    const std::vector<SMC::Trade_off> all = result.trade_offs;
+    const SMC::Trade_off own = random_trade_off();
+    result.length = result.cost = own.cut_cost;
+    result.energy = own.average_distortion;
+    result.keep_undominated_trade_offs();
+
+    const std::vector<SMC::Trade_off>& kept = result.trade_offs;
+    bool is_monotonic = true, holds_result = false;
+    for(std::size_t i = 0; i < kept.size(); ++i)
+    {
+      is_monotonic = is_monotonic && (i == 0 || (kept[i - 1].cut_cost < kept[i].cut_cost * (1 - rounding) &&
+                                                 kept[i - 1].average_distortion > kept[i].average_distortion));
+      holds_result = holds_result || (kept[i].cut_cost == own.cut_cost && kept[i].average_distortion == own.average_distortion);
+    }
+    check(is_monotonic && holds_result, "undominated trade-offs: from cheap to expensive, with the result");
+    for(const SMC::Trade_off& t : all) // each one is dominated, or kept, or claims to beat the result
+      check((t.average_distortion <= own.average_distortion && t.cut_cost <= own.cut_cost * (1 + rounding)) ||
+            std::any_of(kept.begin(), kept.end(), [&](const SMC::Trade_off& k)
+                        { return k.cut_cost <= t.cut_cost * (1 + rounding) && k.average_distortion <= t.average_distortion; }),
+            "undominated trade-offs: none is missing");
+  }
 }
 
 void test_bounds()
@@ -309,6 +350,7 @@ int main()
   CGAL::Random random(seed);
   test_bounds();
   test_length_at_bound();
+  test_undominated_trade_offs(random);
   for(int i = 0; i < 5; ++i)
     test_distortion_tree(random);
   test_moved_ends();

@@ -46,13 +46,15 @@ struct Component_result
     trade_offs.insert(trade_offs.end(), others.begin(), others.end());
   }
 
-  // From cheap to expensive. What claims to be better than the result on both counts was measured on a
-  // coarser version and does not hold.
+  // From cheap to expensive, with the result. What claims to be better than it on both counts was measured on a
+  // coarser version and does not hold. Costs that differ by rounding are the same: mirrored cuts have them.
   void keep_undominated_trade_offs()
   {
+    constexpr double rounding = 1e-12;
+    const auto is_cheaper = [](double a, double b) { return a < b * (1 - rounding); };
     std::vector<Trade_off> all;
     for(const Trade_off& t : trade_offs)
-      if(t.cut_cost > cost || t.average_distortion > energy)
+      if(is_cheaper(cost, t.cut_cost) || t.average_distortion > energy)
         all.push_back(t);
     all.push_back({length, cost, energy});
     std::sort(all.begin(), all.end(), [](const Trade_off& a, const Trade_off& b)
@@ -61,8 +63,13 @@ struct Component_result
               });
     trade_offs.clear();
     for(const Trade_off& t : all)
-      if(trade_offs.empty() || t.average_distortion < trade_offs.back().average_distortion)
-        trade_offs.push_back(t);
+    {
+      if(!trade_offs.empty() && t.average_distortion >= trade_offs.back().average_distortion)
+        continue;
+      if(!trade_offs.empty() && !is_cheaper(trade_offs.back().cut_cost, t.cut_cost))
+        trade_offs.pop_back();
+      trade_offs.push_back(t);
+    }
   }
 };
 
