@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
@@ -64,7 +65,6 @@ public:
   {
     const bool has_seeds = m_problem.is_sphere && !m_problem.initial.is_given(); // that lead to other first cuts
     std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
-    const std::vector<Cutting_parameters> further = further_runs(m_context.parameters, has_seeds);
     Component_result failed;
     failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
     if(!failed.status)
@@ -83,8 +83,8 @@ public:
       if(runs.size() == 1 && goes_on_after(results))
         for(const Cutting_parameters& other : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
           runs.push_back(other);
-      if(i < further.size() && runs.size() == i + 1 && done.seeds.empty() && lacks_room(results))
-        runs.push_back(further[i]);
+      else if(runs.size() == 1 && done.seeds.empty() && lacks_room(results))
+        add_further_runs(further_runs(m_context.parameters, has_seeds), done, results);
     }
     if(m_problem.initial.is_given())
       add_given_cut(results);
@@ -123,6 +123,21 @@ private:
     results.push_back(Start_run<ConcurrencyTag>(m_problem, parameters, m_context)(0, needs_map, done.features));
     done.features.push_back(results.front().detected_features);
     return results;
+  }
+
+  // Side by side: a run from one start seldom has work for many threads.
+  void add_further_runs(const std::vector<Cutting_parameters>& further, const Done& done,
+                        std::vector<Component_result>& results) const
+  {
+    std::vector<Component_result> found(further.size());
+    for_each_index_in_isolation<ConcurrencyTag>(int(further.size()), [&](int i)
+    {
+      if(m_context.control.go_further())
+        found[i] = Start_run<ConcurrencyTag>(m_problem, further[i], m_context)(0, true, done.features);
+    });
+    for(Component_result& result : found)
+      if(result.has_cut)
+        results.push_back(std::move(result));
   }
 
   // As from a given cut, as long as that shortens it: on the chart of the best cut, other features show.

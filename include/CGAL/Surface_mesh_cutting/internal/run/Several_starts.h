@@ -21,7 +21,6 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <deque>
 #include <limits>
 #include <utility>
@@ -43,47 +42,60 @@ public:
   // The references are kept.
   Several_starts(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}
 
-  // On small surfaces, starts differ most, and each takes little time.
+  // On small surfaces, starts differ most, and each takes little time; on large ones, features of coarser versions do.
   bool serve(const Cutting_parameters& parameters) const
   {
-    constexpr int largest = 4500; // faces
-    return parameters.effort == Effort::DEFAULT && parameters.moves_ends && m_problem.mesh.number_of_faces() <= largest;
+    return parameters.effort == Effort::DEFAULT && parameters.moves_ends && number_of_starts() > 1 &&
+           !is_coarsened(m_problem, parameters);
   }
 
   // The given one and the first ones: few runs depend on the given one. The same for all of these first ones.
-  static std::vector<unsigned int> seeds(unsigned int given)
+  std::vector<unsigned int> seeds(unsigned int given) const
   {
-    constexpr unsigned int number_of_starts = 8;
+    const unsigned int last = number_of_starts() - 1;
     std::vector<unsigned int> result;
-    for(unsigned int seed = 0; seed < number_of_starts - 1; ++seed)
+    for(unsigned int seed = 0; seed < last; ++seed)
       result.push_back(seed);
-    result.push_back((std::max)(given, number_of_starts - 1));
+    result.push_back((std::max)(given, last));
     return result;
   }
 
   // Those that were finished or have a cut, at least; if none has, what became of the first.
   std::vector<Component_result> run(const Cutting_parameters& parameters) const
   {
-    constexpr std::size_t number_of_finalists = 2;
+    constexpr int number_of_finalists = 2;
     std::deque<Run> runs; // which starts refer to
     for(unsigned int seed : seeds(parameters.random_seed))
-      runs.emplace_back(m_problem, with_seed(parameters, seed), m_context);
+      runs.emplace_back(m_problem, of_start(parameters, int(runs.size()), seed), m_context);
     std::vector<Begun> starts = prepared(runs);
     std::vector<double> costs;
     for(const Begun& start : starts)
       costs.push_back(expected_cost(start));
     const std::vector<int> order = CGAL::internal::Graph_kernel::ascending_places(costs);
-    std::vector<Component_result> results;
-    for(std::size_t i = 0; i < (std::min)(order.size(), number_of_finalists); ++i)
+    std::vector<Component_result> results((std::min)(int(order.size()), number_of_finalists));
+    for_each_index_in_isolation<ConcurrencyTag>(int(results.size()), [&](int i)
+    {
       if(i == 0 || m_context.control.go_further())
-        results.push_back(runs.front().finished(std::move(starts[order[i]])));
+        results[i] = runs[order[i]].finished(std::move(starts[order[i]]));
+    });
     return results;
   }
 
 private:
-  static Cutting_parameters with_seed(Cutting_parameters parameters, unsigned int seed)
+  // As many as are brought to the bound in about the time that the rest takes.
+  int number_of_starts() const
   {
+    constexpr int most = 8, enough_faces = 25000; // of all starts
+    return (std::min)(most, enough_faces / m_problem.mesh.number_of_faces());
+  }
+
+  // Every other one asks features for more gain: fewer ones, which others join on the way to the bound.
+  static Cutting_parameters of_start(Cutting_parameters parameters, int place, unsigned int seed)
+  {
+    constexpr double more = 2;
     parameters.random_seed = seed;
+    if(place % 2 == 1)
+      parameters.minimum_distortion_decrease *= more;
     return parameters;
   }
 
