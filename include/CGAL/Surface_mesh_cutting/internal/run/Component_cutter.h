@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -129,11 +130,22 @@ private:
   void add_further_runs(const std::vector<Cutting_parameters>& further, const Done& done,
                         std::vector<Component_result>& results) const
   {
-    std::vector<Component_result> found(further.size());
-    for_each_index_in_isolation<ConcurrencyTag>(int(further.size()), [&](int i)
+    std::deque<Start_run<ConcurrencyTag>> runs; // which do not move
+    for(const Cutting_parameters& parameters : further)
+      runs.emplace_back(m_problem, parameters, m_context);
+    std::vector<Detected_features> detected(runs.size());
+    for_each_index_in_isolation<ConcurrencyTag>(int(runs.size()), [&](int i)
     {
       if(m_context.control.go_further())
-        found[i] = Start_run<ConcurrencyTag>(m_problem, further[i], m_context)(0, true, done.features);
+        detected[i] = runs[i].detect(0);
+    });
+    const std::vector<int> others = places_of_other_features(detected, done.features);
+    std::vector<Component_result> found(others.size());
+    for_each_index_in_isolation<ConcurrencyTag>(int(others.size()), [&](int i)
+    {
+      const int place = others[i];
+      if(m_context.control.go_further())
+        found[i] = runs[place].finished(runs[place].begun(std::move(detected[place]), true));
     });
     for(Component_result& result : found)
       if(result.has_cut)

@@ -30,6 +30,21 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+// Of those that were detected: where each set of features comes first, without the known ones.
+inline std::vector<int> places_of_other_features(const std::vector<Detected_features>& detected,
+                                                 std::vector<std::vector<int>> known)
+{
+  std::vector<int> places;
+  for(int i = 0; i < int(detected.size()); ++i)
+  {
+    if(!detected[i].status || std::find(known.begin(), known.end(), detected[i].features) != known.end())
+      continue;
+    known.push_back(detected[i].features);
+    places.push_back(i);
+  }
+  return places;
+}
+
 // Many starts of a small surface at a bound, of which the most promising are finished: what a cut costs when it has come
 // to the bound tells much about what it will cost, and is known after a third of the time.
 template <typename ConcurrencyTag>
@@ -60,7 +75,7 @@ public:
     return result;
   }
 
-  // Those that were finished or have a cut, at least; if none has, what became of the first.
+  // The finished ones, the most promising first. Some have no cut if the run was stopped.
   std::vector<Component_result> run(const Cutting_parameters& parameters) const
   {
     constexpr int number_of_finalists = 2;
@@ -132,12 +147,8 @@ private:
     detect(0);
     prepare(0);
     for_each_index_in_isolation<ConcurrencyTag>(int(runs.size()) - 1, [&](int i) { detect(i + 1); });
-    std::vector<int> places; // of other features
-    for(int i = 1; i < int(runs.size()); ++i)
-      if(detected[i].status && std::none_of(detected.begin(), detected.begin() + i, [&](const Detected_features& former)
-                                            { return former.features == detected[i].features; }))
-        places.push_back(i);
-    for_each_index_in_isolation<ConcurrencyTag>(int(places.size()), [&](int i) { prepare(places[i]); });
+    const std::vector<int> others = places_of_other_features(detected, {detected[0].features});
+    for_each_index_in_isolation<ConcurrencyTag>(int(others.size()), [&](int i) { prepare(others[i]); });
     return starts;
   }
 
