@@ -1,5 +1,5 @@
 // Newton's method: known optima, the energy never grows, no flips, fixed vertices, the callback;
-// and what it starts from, Tutte's embedding.
+// what is done between its steps, the relaxation of stars; and what it starts from, Tutte's embedding.
 
 #undef NDEBUG
 #include "charts.h"
@@ -7,7 +7,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 
 #include <cassert>
+#include <cmath>
 #include <iostream>
+#include <limits>
 
 using namespace smp;
 using Map = std::vector<Eigen::Vector2d>;
@@ -144,6 +146,46 @@ void test_invalid_start(const Problem& problem)
   assert(result.outcome == Newton_outcome::FAILED && result.iterations == 0);
 }
 
+// A vertex that was moved to the edge of its star is moved back, little else is, and the gradient is that of the new map.
+template <typename Energy>
+void test_relaxation(const Problem& problem, CGAL::Random& random)
+{
+  const std::vector<Triangle>& triangles = problem.surface.chart.triangles();
+  Map best = problem.tutte;
+  Newton_solver solver = problem.solver();
+  Newton_options options;
+  options.decrement = 1e-9;
+  solver.minimize<Energy>(problem.shapes, problem.weights, best, options);
+  const auto energy_of = [&](const Map& map) { return solver.energy<Energy>(problem.shapes, problem.weights, map); };
+
+  const Triangle& bad = triangles[random.get_int(0, int(triangles.size()))];
+  Map uv = best;
+  const Eigen::Vector2d middle = (uv[bad[1]] + uv[bad[2]]) / 2;
+  for(double t = 0.999; uv[bad[0]] == best[bad[0]]; t *= 0.9)
+  {
+    uv[bad[0]] += t * (middle - uv[bad[0]]);
+    if(!std::isfinite(energy_of(uv)))
+      uv[bad[0]] = best[bad[0]];
+  }
+  const double before = energy_of(uv), threshold = 1e-6 * energy_of(best);
+  const Map moved = uv;
+  Newton_system system(triangles, int(uv.size()), {}), fresh = system;
+  system.assemble<Energy>(triangles, problem.shapes, problem.weights, uv, 0);
+  const double gain = Star_relaxation(triangles, int(uv.size()))
+    .operator()<Energy>(triangles, problem.shapes, problem.weights, threshold, system, uv);
+  assert(gain > 0.5 * (before - energy_of(best)));
+  assert(std::abs(before - energy_of(uv) - gain) < 1e-10 * before);
+  assert(count_flips(triangles, uv) == 0);
+  fresh.assemble<Energy>(triangles, problem.shapes, problem.weights, uv, 0);
+  assert((system.gradient() - fresh.gradient()).norm() < 1e-9 * (1 + fresh.gradient().norm()));
+
+  Map still = moved; // where nothing is worth it
+  fresh.assemble<Energy>(triangles, problem.shapes, problem.weights, still, 0);
+  const double none = Star_relaxation(triangles, int(uv.size()))
+    .operator()<Energy>(triangles, problem.shapes, problem.weights, std::numeric_limits<double>::infinity(), fresh, still);
+  assert(none == 0 && still == moved);
+}
+
 int main()
 {
   CGAL::Random random(11);
@@ -156,6 +198,8 @@ int main()
     test_fixed_vertices(problem, random);
     test_callback(problem);
     test_invalid_start(problem);
+    test_relaxation<MIPS_energy>(problem, random);
+    test_relaxation<Symmetric_Dirichlet_energy>(problem, random);
   }
   test_descent<MIPS_energy>(Problem(make_cut_sphere(8)));
   test_descent<Symmetric_Dirichlet_energy>(Problem(make_cut_sphere(8)));

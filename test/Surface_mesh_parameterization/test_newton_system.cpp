@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
+#include <Eigen/LU>
+
 #include <cassert>
 #include <cmath>
 #include <iostream>
@@ -84,8 +86,14 @@ void test_assembly(const Test_surface& surface, CGAL::Random& random, bool has_f
       const int p = system.unknown(v);
       assert((p >= 0) == (is_used[v] && !(has_fixed && is_fixed[v])));
       if(p < 0)
+      {
+        assert(system.decrement(v) == 0);
         continue;
+      }
       unknowns += 2;
+      const Eigen::Vector2d g = system.gradient().segment<2>(p);
+      const double decrement = g.dot(Eigen::Matrix2d(found.block<2, 2>(p, p)).inverse() * g);
+      assert(std::abs(system.decrement(v) - decrement) <= 1e-9 * (decrement + 1e-9 * energy));
       const Eigen::Vector2d difference
         = system.gradient().segment<2>(p) - gradient.segment<2>(2 * v);
       assert(difference.norm() <= 1e-12 * gradient.norm());

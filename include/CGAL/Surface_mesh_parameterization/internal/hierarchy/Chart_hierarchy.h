@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_regions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_simplification.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Flip_collapse.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/star_placement.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
 #include <Eigen/Core>
 

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/star_placement.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
 #include <Eigen/Core>
 

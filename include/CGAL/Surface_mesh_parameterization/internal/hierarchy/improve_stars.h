@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/star_placement.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
 #include <Eigen/Core>
 

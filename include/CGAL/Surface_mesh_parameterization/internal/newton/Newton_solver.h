@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Star_relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
@@ -94,6 +95,7 @@ public:
                                if(hessian.cols() > 0)
                                  m_solver->analyze(hessian);
                              });
+    m_relaxation = Star_relaxation(m_triangles, number_of_vertices);
   }
 
   const std::vector<Triangle>& triangles() const { return m_triangles; }
@@ -121,9 +123,12 @@ public:
       result.decrement = 0;
       return result;
     }
-    while(true)
+    // One more assembly may spare factorizations: worth it where these take most of the time.
+    constexpr int large_system = 20000; // unknowns
+    bool relaxes = m_system.number_of_unknowns() > large_system;
+    for(; true; relaxes = false)
     {
-      if(!find_direction<Energy>(shapes, weights, uv, result))
+      if(!find_direction<Energy>(shapes, weights, options, relaxes, uv, result))
       {
         result.energy = energy<Energy>(shapes, weights, uv);
         result.outcome = Newton_outcome::SINGULAR;
@@ -147,14 +152,18 @@ public:
         });
         const bool is_converged = result.decrement <= options.decrement * result.energy;
         const double former = result.energy;
-        const double t = line_search<Energy>(shapes, weights, direction, uv, trial, result);
+        line_search<Energy>(shapes, weights, direction, uv, trial, result);
         const double decrease = former - result.energy;
         if(is_converged || (i == 0 && decrease <= rounding * former))
         {
           result.outcome = is_converged ? Newton_outcome::CONVERGED : Newton_outcome::STALLED;
           return result;
         }
-        if(decrease < least_share * result.decrement || !find_reused_direction<Energy>(shapes, weights, uv, t, result))
+        const Eigen::VectorXd former_gradient = m_system.gradient();
+        m_system.template assemble_gradient<Energy>(m_triangles, shapes, weights, uv);
+        if(relax<Energy>(shapes, weights, options, uv, result))
+          result.energy = energy<Energy>(shapes, weights, uv);
+        if(decrease < least_share * result.decrement || !find_reused_direction(trial, uv, former_gradient, result))
           break;
       }
       if(energy_of_factorization - result.energy < options.least_decrease * result.energy)
@@ -215,10 +224,10 @@ private:
 
   // Assembles and solves for the Newton direction. The diagonal shift is relative to each entry: it
   // fixes the gauge (MIPS does not depend on scale and rotation) and grows only where rounding
-  // makes the factorization of an ill-conditioned matrix fail.
+  // makes the factorization of an ill-conditioned matrix fail. With `relaxes`, stars are relaxed first.
   template <typename Energy>
-  bool find_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                      const std::vector<Eigen::Vector2d>& uv, Newton_result& result)
+  bool find_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights, const Newton_options& options,
+                      bool relaxes, std::vector<Eigen::Vector2d>& uv, Newton_result& result)
   {
     constexpr double gauge_shift = 1e-12, largest_shift = 1e-2, growth = 100;
     for(double shift = gauge_shift; shift <= largest_shift; shift *= growth)
@@ -226,6 +235,8 @@ private:
       result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, shift);
       if(!std::isfinite(result.energy))
         return false;
+      if(relaxes && shift == gauge_shift && relax<Energy>(shapes, weights, options, uv, result))
+        result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, shift);
       ++result.iterations;
       if(!m_solver->factorize(m_system.hessian()))
         continue;
@@ -237,16 +248,28 @@ private:
     return false;
   }
 
+  // Whether stars were. What a single vertex may leave is little of what all may leave, and of the energy of its star.
+  template <typename Energy>
+  bool relax(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights, const Newton_options& options,
+               std::vector<Eigen::Vector2d>& uv, const Newton_result& result)
+  {
+    constexpr double share = 0.1, share_of_star = 0.01;
+    const double mean_star = 3 / double(uv.size()); // of the area, about
+    const double threshold = (std::max)(share * options.decrement, share_of_star * mean_star) * result.energy;
+    return m_relaxation.operator()<Energy>(m_triangles, shapes, weights, threshold, m_system, uv) > 0;
+  }
+
   // The next direction from the factorization at hand: L-BFGS with the latest projected Hessian as
   // the initial one. A direction costs a few triangular solves, a small part of a factorization, and
-  // makes up for what projection adds to the stiffness of far-off maps. `t`: the step just taken.
-  template <typename Energy>
-  bool find_reused_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                             const std::vector<Eigen::Vector2d>& uv, double t, Newton_result& result)
+  // makes up for what projection adds to the stiffness of far-off maps. `former`: the map before the step just taken, with
+  // its gradient.
+  bool find_reused_direction(const std::vector<Eigen::Vector2d>& former, const std::vector<Eigen::Vector2d>& uv,
+                             const Eigen::VectorXd& former_gradient, Newton_result& result)
   {
-    Curvature_pair pair{-t * m_step, -m_system.gradient()};
-    m_system.template assemble_gradient<Energy>(m_triangles, shapes, weights, uv);
-    pair.gradient_change += m_system.gradient();
+    Curvature_pair pair{Eigen::VectorXd(m_step.size()), m_system.gradient() - former_gradient};
+    for(int v = 0; v < int(uv.size()); ++v)
+      if(const int u = m_system.unknown(v); u >= 0)
+        pair.step.segment<2>(u) = uv[v] - former[v];
     pair.product = pair.step.dot(pair.gradient_change);
     if(!(pair.product > 0))
       return false;
@@ -275,10 +298,10 @@ private:
 
   // Backtracking with Armijo's condition from the full Newton step, or what is flip-free of it. Where
   // the full step is accepted, longer ones are tried: while tiny triangles grow by orders of
-  // magnitude, the quadratic model sees only a factor of two per step. Returns the step, 0 if none
-  // was found.
+  // magnitude, the quadratic model sees only a factor of two per step. `trial` becomes the former map; without a step, `uv`
+  // stays, and `trial` means nothing.
   template <typename Energy>
-  double line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+  void line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
                    const std::vector<Eigen::Vector2d>& direction, std::vector<Eigen::Vector2d>& uv,
                    std::vector<Eigen::Vector2d>& trial, Newton_result& result) const
   {
@@ -304,7 +327,7 @@ private:
     for(int i = 0; i < maximum_trials && !(e <= result.energy - armijo * t * result.decrement); ++i)
       e = energy_at(t *= backtracking);
     if(!(e <= result.energy - armijo * t * result.decrement))
-      return 0;
+      return;
     if(t == first)
       for(double longer = 2 * t; longer < longest; longer *= 2)
       {
@@ -319,12 +342,12 @@ private:
       }
     result.energy = e;
     uv.swap(trial);
-    return t;
   }
 
   std::vector<Triangle> m_triangles;
   const Execution m_execution;
   Newton_system m_system;
+  Star_relaxation m_relaxation;
   std::unique_ptr<Linear_solver> m_solver;
   Eigen::VectorXd m_step;
   std::vector<Curvature_pair> m_memory;

@@ -68,6 +68,26 @@ public:
   // The place of each vertex in the order of elimination, negative without an unknown.
   const std::vector<int>& positions() const { return m_positions; }
 
+  // Twice what the quadratic model lets a vertex gain if it moves alone: from the gradient and the latest Hessian. 0 without
+  // an unknown.
+  double decrement(int v) const
+  {
+    const int p = m_positions[v];
+    if(p < 0)
+      return 0;
+    const double* const d = m_hessian.valuePtr() + m_diagonal[p];
+    const int stride = m_column_sizes[p];
+    const double x = m_gradient[2 * p], y = m_gradient[2 * p + 1];
+    return (d[stride + 1] * x * x - 2 * d[stride] * x * y + d[0] * y * y) / (d[0] * d[stride + 1] - d[stride] * d[stride]);
+  }
+
+  // Where a vertex has moved; nothing without an unknown.
+  void set_gradient(int v, const Eigen::Vector2d& gradient)
+  {
+    if(m_positions[v] >= 0)
+      m_gradient.segment<2>(2 * m_positions[v]) = gradient;
+  }
+
   // Sums weight * energy over the triangles. A diagonal entry grows by the fraction `shift` of
   // itself; this fixes the gauge where the energy does not depend on scale and rotation, without
   // damping stiff and soft regions alike as a constant would.
