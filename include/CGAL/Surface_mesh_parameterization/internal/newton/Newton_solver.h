@@ -251,12 +251,12 @@ private:
   // Whether stars were. What a single vertex may leave is little of what all may leave, and of the energy of its star.
   template <typename Energy>
   bool relax(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights, const Newton_options& options,
-               std::vector<Eigen::Vector2d>& uv, const Newton_result& result)
+             std::vector<Eigen::Vector2d>& uv, const Newton_result& result)
   {
     constexpr double share_of_decrement = 0.1, share_of_star = 0.01;
     const double mean_star = 3 / double(uv.size()); // of the area, about
     const double threshold = (std::max)(share_of_decrement * options.decrement, share_of_star * mean_star) * result.energy;
-    return m_relaxation.operator()<Energy>(m_triangles, shapes, weights, threshold, m_system, uv) > 0;
+    return m_relaxation.relax<Energy>(m_triangles, shapes, weights, threshold, m_system, uv) > 0;
   }
 
   // The next direction from the factorization at hand: L-BFGS with the latest projected Hessian as

@@ -50,12 +50,12 @@ public:
       m_corners[ends[triangles[c / 3][c % 3]]++] = c;
   }
 
-  // Moves vertices whose own decrement is above `threshold`, unless these are most. The system holds the gradient at `uv`, of the
-  // area-averaged energy, and does so afterwards. Returns by how much that became less. No triangle flips.
+  // Moves vertices whose own decrement is above `threshold`, unless these are most. The system holds the gradient at `uv`,
+  // of the area-averaged energy, and does so afterwards. Returns by how much that became less. No triangle flips.
   template <typename Energy>
-  double operator()(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
-                    const std::vector<double>& weights, double threshold, Newton_system& system,
-                    std::vector<Eigen::Vector2d>& uv)
+  double relax(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
+               const std::vector<double>& weights, double threshold, Newton_system& system,
+               std::vector<Eigen::Vector2d>& uv)
   {
     constexpr int maximum_number_of_rounds = 4;
     constexpr double most = 0.5; // of the vertices: a global step serves more of them better
