@@ -1,9 +1,10 @@
 // The flat graph as a model of Boost's graph concepts; shortest paths, spanning trees and disjoint sets against Boost's
-// algorithms, and the public call on it.
+// algorithms, buckets against lists, and the public call on it.
 
 #include "steiner_tree_checks.h"
 
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
@@ -82,12 +83,31 @@ void test_disjoint_sets(const Csr_graph& graph)
     CHECK(sets.find(v) == lowest[expected[v]]);
 }
 
+// Against lists of their own, with buckets that stay empty; entries keep their order.
+void test_buckets(CGAL::Random& random)
+{
+  std::vector<std::vector<int>> expected(random.get_int(0, 10));
+  std::vector<int> bucket_of(expected.empty() ? 0 : random.get_int(0, 30));
+  for(std::size_t i = 0; i < bucket_of.size(); ++i)
+    expected[bucket_of[i] = random.get_int(0, int(expected.size()))].push_back(int(i));
+  const CGAL::internal::Graph_kernel::Buckets<int> buckets(int(expected.size()), [&](const auto& visit) {
+    for(std::size_t i = 0; i < bucket_of.size(); ++i)
+      visit(bucket_of[i], int(i));
+  });
+  CHECK(buckets.number_of_buckets() == int(expected.size()));
+  for(int b = 0; b < buckets.number_of_buckets(); ++b) {
+    CHECK(buckets.size(b) == int(expected[b].size()));
+    CHECK(std::vector<int>(buckets[b].begin(), buckets[b].end()) == expected[b]);
+  }
+}
+
 int main()
 {
   const unsigned int seed = 20260103;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
   for(int i = 0; i < 2000; ++i) {
+    test_buckets(random);
     const Csr_graph graph = random_graph(random);
     test_shortest_paths(graph, random.get_int(0, graph.number_of_vertices()));
     test_spanning_forest(graph);

@@ -16,12 +16,12 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_outline.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -29,6 +29,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Buckets;
 
 // Cells next to each other, both ends included.
 struct Cell_run
@@ -113,33 +115,24 @@ inline std::vector<Cell_run> inside_runs(const std::vector<Outline_segment>& out
 // Sorts runs by rows, of which there are few, and joins those without a gap between.
 inline std::vector<Cell_run> joined_runs(const std::vector<Cell_run>& runs, int first_row, int last_row)
 {
-  std::vector<int> ends(std::size_t(last_row - first_row + 2), 0);
-  for(const Cell_run& run : runs)
-    ++ends[run.row - first_row + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<Cell_run> sorted(runs.size());
-  for(const Cell_run& run : runs)
-    sorted[ends[run.row - first_row]++] = run;
-  std::size_t number = 0;
-  for(std::size_t begin = 0; begin < sorted.size();)
+  Buckets<Cell_run> rows(last_row - first_row + 1, [&](const auto& visit)
   {
-    const int row = sorted[begin].row;
-    const std::size_t end = std::size_t(ends[row - first_row]);
-    std::sort(sorted.begin() + begin, sorted.begin() + end,
-              [](const Cell_run& a, const Cell_run& b) { return a.first < b.first; });
-    Cell_run joined = sorted[begin];
-    for(; begin < end; ++begin)
-      if(sorted[begin].first <= joined.last + 1)
-        joined.last = (std::max)(joined.last, sorted[begin].last);
+    for(const Cell_run& run : runs)
+      visit(run.row - first_row, run);
+  });
+  std::vector<Cell_run> result;
+  result.reserve(runs.size());
+  for(int row = 0; row < rows.number_of_buckets(); ++row)
+  {
+    const auto sorted = rows[row];
+    std::sort(sorted.begin(), sorted.end(), [](const Cell_run& a, const Cell_run& b) { return a.first < b.first; });
+    for(const Cell_run& run : sorted)
+      if(!result.empty() && result.back().row == run.row && run.first <= result.back().last + 1)
+        result.back().last = (std::max)(result.back().last, run.last);
       else
-      {
-        sorted[number++] = joined;
-        joined = sorted[begin];
-      }
-    sorted[number++] = joined;
+        result.push_back(run);
   }
-  sorted.resize(number);
-  return sorted;
+  return result;
 }
 
 // The cells that the points at most `radius` away from the surface inside of an outline touch: sorted, disjoint runs.

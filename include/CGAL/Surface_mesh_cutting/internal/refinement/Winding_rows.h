@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/mapping/winding_of_segment.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -26,6 +28,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Buckets;
 
 // How often closed polygons wind around points. Around the borders of a flip-free map, that is the number of layers that lie
 // there. Segments are kept in rows, so that a query looks at few of them. Not exact near the segments.
@@ -51,28 +55,19 @@ public:
       high = (std::max)(high, s.high());
     }
     m_rows_per_unit = high > m_low ? m_number_of_rows / (high - m_low) : 0;
-    m_offsets.assign(m_number_of_rows + 1, 0);
-    for(const Segment& s : m_segments)
-      for(int row = row_of(s.low()); row <= row_of(s.high()); ++row)
-        ++m_offsets[row + 1];
-    for(int row = 0; row < m_number_of_rows; ++row)
-      m_offsets[row + 1] += m_offsets[row];
-    m_entries.resize(m_offsets.back());
-    std::vector<int> next(m_offsets.begin(), m_offsets.end() - 1);
-    for(int i = 0; i < int(m_segments.size()); ++i)
-      for(int row = row_of(m_segments[i].low()); row <= row_of(m_segments[i].high()); ++row)
-        m_entries[next[row]++] = i;
+    m_rows = Buckets<int>(m_number_of_rows, [&](const auto& visit)
+    {
+      for(int i = 0; i < int(m_segments.size()); ++i)
+        for(int row = row_of(m_segments[i].low()); row <= row_of(m_segments[i].high()); ++row)
+          visit(row, i);
+    });
   }
 
   int operator()(const Eigen::Vector2d& p) const
   {
     int winding = 0;
-    const int row = row_of(p.y());
-    for(int k = m_offsets[row]; k < m_offsets[row + 1]; ++k)
-    {
-      const Segment& s = m_segments[m_entries[k]];
-      winding += winding_of_segment(s.source, s.target, p);
-    }
+    for(int i : m_rows[row_of(p.y())])
+      winding += winding_of_segment(m_segments[i].source, m_segments[i].target, p);
     return winding;
   }
 
@@ -85,7 +80,7 @@ private:
   std::vector<Segment> m_segments;
   int m_number_of_rows;
   double m_low = std::numeric_limits<double>::infinity(), m_rows_per_unit = 0;
-  std::vector<int> m_offsets, m_entries; // of rows, segments
+  Buckets<int> m_rows; // of segments
 };
 
 } // namespace internal

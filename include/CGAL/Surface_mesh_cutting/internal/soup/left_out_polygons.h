@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
@@ -29,6 +31,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Buckets;
 
 // Per vertex, the first one that polygons use at exactly the same point. O(n).
 inline std::vector<int> first_vertices_at_points(const std::vector<Point>& points, const Polygons& polygons)
@@ -53,22 +57,19 @@ inline std::vector<int> former_duplicates(const Polygons& polygons, const std::v
                                           int number_of_vertices, Execution execution)
 {
   std::vector<int> starts(polygons.ends.size()); // the corner at the lowest vertex
-  std::vector<int> ends(number_of_vertices + 1, 0);
   const auto lowest_vertex = [&](int polygon) { return polygons.vertices[starts[polygon]]; };
   for(int p = 0; p < polygons.number(); ++p)
     if(is_simple[p])
     {
       const auto corners = polygons.vertices.begin();
       starts[p] = int(std::min_element(corners + polygons.begin(p), corners + polygons.end(p)) - corners);
-      ++ends[lowest_vertex(p) + 1];
     }
-  for(int v = 0; v < number_of_vertices; ++v)
-    ends[v + 1] += ends[v];
-  std::vector<int> order(ends.back());
-  std::vector<int> places(ends.begin(), ends.end());
-  for(int p = 0; p < polygons.number(); ++p)
-    if(is_simple[p])
-      order[places[lowest_vertex(p)]++] = p;
+  Buckets<int> simple_polygons(number_of_vertices, [&](const auto& visit)
+  {
+    for(int p = 0; p < polygons.number(); ++p)
+      if(is_simple[p])
+        visit(lowest_vertex(p), p);
+  });
 
   // Negative, zero or positive, as the vertices of one come before, with or after those of the other.
   const auto comparison = [&](int p, int q)
@@ -86,11 +87,15 @@ inline std::vector<int> former_duplicates(const Polygons& polygons, const std::v
   {
     for(int v = first; v < last; ++v)
     {
-      std::sort(order.begin() + ends[v], order.begin() + ends[v + 1], [&](int p, int q)
+      const auto order = simple_polygons[v];
+      std::sort(order.begin(), order.end(), [&](int p, int q)
                 { const int c = comparison(p, q); return c != 0 ? c < 0 : p < q; });
-      for(int i = ends[v] + 1; i < ends[v + 1]; ++i)
-        if(comparison(order[i - 1], order[i]) == 0)
-          result[order[i]] = result[order[i - 1]] >= 0 ? result[order[i - 1]] : order[i - 1];
+      for(int i = 1; i < simple_polygons.size(v); ++i)
+      {
+        const int p = order.begin()[i - 1], q = order.begin()[i];
+        if(comparison(p, q) == 0)
+          result[q] = result[p] >= 0 ? result[p] : p;
+      }
     }
   });
   return result;

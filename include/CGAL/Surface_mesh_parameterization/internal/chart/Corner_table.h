@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -23,6 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Buckets;
 using Triangle = std::array<int, 3>;
 
 // Halfedges are numbered by the corner they start from: halfedge 3t+k of triangle t leads
@@ -203,6 +206,16 @@ private:
   std::vector<int> m_opposites;
   std::vector<int> m_origins;
 };
+
+// The corners, 3t+k, at each vertex. O(n).
+inline Buckets<int> corners_at_vertices(const std::vector<Triangle>& triangles, int number_of_vertices)
+{
+  return {number_of_vertices, [&](const auto& visit)
+          {
+            for(int c = 0; c < 3 * int(triangles.size()); ++c)
+              visit(triangles[c / 3][c % 3], c);
+          }};
+}
 
 } // namespace internal
 } // namespace Surface_mesh_parameterization

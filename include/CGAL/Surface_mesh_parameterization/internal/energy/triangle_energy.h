@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
@@ -90,6 +91,16 @@ private:
     cc = eigenvalue * s * s;
   }
 };
+
+// Times its weight; infinite unless the triangle is positive, whatever it weighs.
+template <typename Energy>
+double triangle_energy(double weight, const Rest_shape& shape, const Eigen::Vector2d& u0, const Eigen::Vector2d& u1,
+                       const Eigen::Vector2d& u2)
+{
+  const Wirtinger_derivatives f = wirtinger_derivatives(shape, u0, u1, u2);
+  const double x = f.x(), y = f.y();
+  return x > y ? weight * Energy::value(x, y) : std::numeric_limits<double>::infinity();
+}
 
 // Energy, gradient and projected Hessian of one triangle, per unit of area.
 struct Triangle_terms

@@ -40,7 +40,7 @@ public:
   Rounding_repair(const std::vector<Triangle>& triangles, int number_of_vertices, Round round, int number_of_rounded,
                   std::vector<char> is_fixed)
     : m_triangles(triangles), m_round(std::move(round)), m_number_of_rounded(number_of_rounded),
-      m_is_fixed(std::move(is_fixed)), m_offsets(number_of_vertices + 1, 0)
+      m_is_fixed(std::move(is_fixed)), m_number_of_vertices(number_of_vertices)
   {}
 
   // False if flips remain. O(n), and for each repair about the size of a star.
@@ -52,7 +52,7 @@ public:
     std::vector<int> flipped;
     count_flips(m_triangles, uv, &flipped);
     if(!flipped.empty())
-      find_stars();
+      m_corners = corners_at_vertices(m_triangles, m_number_of_vertices);
     for(int pass = 0; pass < maximum_number_of_passes && !flipped.empty(); ++pass)
     {
       bool is_changed = false;
@@ -68,20 +68,6 @@ public:
   }
 
 private:
-  void find_stars()
-  {
-    for(const Triangle& t : m_triangles)
-      for(int v : t)
-        ++m_offsets[v + 1];
-    for(std::size_t v = 1; v < m_offsets.size(); ++v)
-      m_offsets[v] += m_offsets[v - 1];
-    m_stars.resize(m_offsets.back());
-    std::vector<int> next(m_offsets.begin(), m_offsets.end() - 1);
-    for(std::size_t t = 0; t < m_triangles.size(); ++t)
-      for(int v : m_triangles[t])
-        m_stars[next[v]++] = int(t);
-  }
-
   bool is_flipped(int t, const std::vector<Eigen::Vector2d>& uv) const
   {
     const Triangle& v = m_triangles[t];
@@ -91,8 +77,8 @@ private:
   int number_of_flips_around(int v, const std::vector<Eigen::Vector2d>& uv) const
   {
     int number = 0;
-    for(int i = m_offsets[v]; i < m_offsets[v + 1]; ++i)
-      number += is_flipped(m_stars[i], uv);
+    for(int c : m_corners[v])
+      number += is_flipped(c / 3, uv);
     return number;
   }
 
@@ -130,10 +116,10 @@ private:
     const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
     const Rest_shape no_shape{zero, zero, zero, 0}; // the kernel does not depend on it
     m_star.clear();
-    for(int i = m_offsets[v]; i < m_offsets[v + 1]; ++i)
+    for(int c : m_corners[v])
     {
-      const Triangle& t = m_triangles[m_stars[i]];
-      const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+      const Triangle& t = m_triangles[c / 3];
+      const int k = c % 3;
       m_star.push_back({uv[t[(k + 1) % 3]], uv[t[(k + 2) % 3]], no_shape});
     }
     return m_placement.kernel_centroid(m_star, middle);
@@ -143,7 +129,8 @@ private:
   const Round m_round;
   const int m_number_of_rounded;
   const std::vector<char> m_is_fixed;
-  std::vector<int> m_offsets, m_stars; // the triangles around each vertex
+  const int m_number_of_vertices;
+  Buckets<int> m_corners;
   std::vector<Star_triangle> m_star;
   Star_placement<Symmetric_Dirichlet_energy> m_placement;
 };

@@ -95,7 +95,6 @@ public:
                                if(hessian.cols() > 0)
                                  m_solver->analyze(hessian);
                              });
-    m_relaxation = Star_relaxation(m_triangles, number_of_vertices);
   }
 
   const std::vector<Triangle>& triangles() const { return m_triangles; }
@@ -190,11 +189,7 @@ public:
       for(int f = begin; f < end; ++f)
       {
         const Triangle& t = m_triangles[f];
-        const Wirtinger_derivatives w = wirtinger_derivatives(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]]);
-        const double x = w.x(), y = w.y();
-        if(!(x > y))
-          return std::numeric_limits<double>::infinity();
-        sum += weights[f] * Energy::value(x, y);
+        sum += triangle_energy<Energy>(weights[f], shapes[f], uv[t[0]], uv[t[1]], uv[t[2]]);
       }
       return sum;
     }, std::plus<double>());

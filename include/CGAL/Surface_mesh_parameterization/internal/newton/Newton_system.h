@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -235,30 +234,27 @@ private:
   template <typename ForEachPair>
   Sparse_matrix adjacency(int n, const ForEachPair& for_each_pair) const
   {
-    std::vector<int> starts(n + 1, 0);
-    for_each_pair([&](int column, int) { ++starts[column + 1]; });
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    std::vector<int> rows(starts.back()), ends(starts.begin(), starts.end() - 1);
-    for_each_pair([&](int column, int row) { rows[ends[column]++] = row; });
-    const auto first_row = [&](int column) { return rows.begin() + starts[column]; };
+    Buckets<int> columns(n, for_each_pair);
+    std::vector<int> sizes(n);
     execute_blocks(m_execution, n, [&](int begin, int end)
     {
       for(int c = begin; c < end; ++c)
       {
-        std::sort(first_row(c), rows.begin() + ends[c]);
-        ends[c] = int(std::unique(first_row(c), rows.begin() + ends[c]) - rows.begin());
+        const auto rows = columns[c];
+        std::sort(rows.begin(), rows.end());
+        sizes[c] = int(std::unique(rows.begin(), rows.end()) - rows.begin());
       }
     });
     Sparse_matrix matrix(n, n);
     int* const outer = matrix.outerIndexPtr();
     outer[0] = 0;
     for(int c = 0; c < n; ++c)
-      outer[c + 1] = outer[c] + ends[c] - starts[c];
+      outer[c + 1] = outer[c] + sizes[c];
     matrix.resizeNonZeros(outer[n]);
     execute_blocks(m_execution, n, [&](int begin, int end)
     {
       for(int c = begin; c < end; ++c)
-        std::copy(first_row(c), rows.begin() + ends[c], matrix.innerIndexPtr() + outer[c]);
+        std::copy_n(columns[c].begin(), sizes[c], matrix.innerIndexPtr() + outer[c]);
       std::fill(matrix.valuePtr() + outer[begin], matrix.valuePtr() + outer[end], 1.);
     });
     return matrix;

@@ -18,10 +18,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -34,24 +34,9 @@ namespace internal {
 class Star_relaxation
 {
 public:
-  Star_relaxation() = default;
-
-  // The triangles with their vertices are those of the system and of all arguments to come.
-  Star_relaxation(const std::vector<Triangle>& triangles, int number_of_vertices) : m_starts(number_of_vertices + 1, 0)
-  {
-    for(const Triangle& t : triangles)
-      for(int v : t)
-        ++m_starts[v + 1];
-    for(int v = 0; v < number_of_vertices; ++v)
-      m_starts[v + 1] += m_starts[v];
-    m_corners.resize(m_starts.back());
-    std::vector<int> ends(m_starts.begin(), m_starts.end() - 1);
-    for(int c = 0; c < int(m_corners.size()); ++c)
-      m_corners[ends[triangles[c / 3][c % 3]]++] = c;
-  }
-
   // Moves vertices whose own decrement is above `threshold`, unless these are most. The system holds the gradient at `uv`,
   // of the area-averaged energy, and does so afterwards. Returns by how much that became less. No triangle flips.
+  // The triangles are the same in all calls.
   template <typename Energy>
   double relax(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
                const std::vector<double>& weights, double threshold, Newton_system& system,
@@ -65,6 +50,8 @@ public:
         active.push_back(v);
     if(double(active.size()) > most * double(uv.size()))
       return 0;
+    if(!active.empty() && m_corners.number_of_buckets() == 0)
+      m_corners = corners_at_vertices(triangles, int(uv.size()));
     double gain = 0;
     for(int round = 0; round < maximum_number_of_rounds && !active.empty(); ++round)
     {
@@ -74,11 +61,10 @@ public:
         const double decrease = move<Energy>(v, triangles, shapes, weights, uv);
         gain += decrease;
         if(decrease > 0)
-          for(int i = m_starts[v]; i < m_starts[v + 1]; ++i)
-            touched.insert(touched.end(), triangles[m_corners[i] / 3].begin(), triangles[m_corners[i] / 3].end());
+          for(int c : m_corners[v])
+            touched.insert(touched.end(), triangles[c / 3].begin(), triangles[c / 3].end());
       }
-      std::sort(touched.begin(), touched.end());
-      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      CGAL::internal::Graph_kernel::sort_unique(touched);
       active.clear();
       for(int v : touched)
       {
@@ -97,9 +83,9 @@ private:
               const std::vector<double>& weights, std::vector<Eigen::Vector2d>& uv)
   {
     m_star.clear();
-    for(int i = m_starts[v]; i < m_starts[v + 1]; ++i)
+    for(int c : m_corners[v])
     {
-      const int f = m_corners[i] / 3, k = m_corners[i] % 3;
+      const int f = c / 3, k = c % 3;
       const Triangle& t = triangles[f];
       m_star.push_back({uv[t[(k + 1) % 3]], uv[t[(k + 2) % 3]], rotated(shapes[f], k)});
       m_star.back().shape.area = weights[f];
@@ -120,14 +106,10 @@ private:
                 const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv) const
   {
     double sum = 0;
-    for(int i = m_starts[v]; i < m_starts[v + 1]; ++i)
+    for(int c : m_corners[v])
     {
-      const int f = m_corners[i] / 3;
-      const Triangle& t = triangles[f];
-      const Wirtinger_derivatives w = wirtinger_derivatives(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]]);
-      if(!(w.x() > w.y()))
-        return std::numeric_limits<double>::infinity();
-      sum += weights[f] * Energy::value(w.x(), w.y());
+      const Triangle& t = triangles[c / 3];
+      sum += triangle_energy<Energy>(weights[c / 3], shapes[c / 3], uv[t[0]], uv[t[1]], uv[t[2]]);
     }
     return sum;
   }
@@ -137,18 +119,16 @@ private:
                            const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv) const
   {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero(), at_corners[3];
-    for(int i = m_starts[v]; i < m_starts[v + 1]; ++i)
+    for(int c : m_corners[v])
     {
-      const int f = m_corners[i] / 3;
-      const Triangle& t = triangles[f];
-      triangle_gradient<Energy>(shapes[f], uv[t[0]], uv[t[1]], uv[t[2]], at_corners);
-      sum += weights[f] * at_corners[m_corners[i] % 3];
+      const Triangle& t = triangles[c / 3];
+      triangle_gradient<Energy>(shapes[c / 3], uv[t[0]], uv[t[1]], uv[t[2]], at_corners);
+      sum += weights[c / 3] * at_corners[c % 3];
     }
     return sum;
   }
 
-  std::vector<int> m_starts;  // per vertex, its first corner in the list of
-  std::vector<int> m_corners; // 3 * triangle + place
+  Buckets<int> m_corners; // at each vertex; found when a vertex is to move
   std::vector<Star_triangle> m_star;
 };
 

@@ -51,15 +51,11 @@ public:
         }
       return result < 0 ? n : result;
     };
-    m_starts.assign(n + 2, 0);
-    for(const Triangle& t : triangles)
-      ++m_starts[group(t) + 1];
-    for(int g = 0; g <= n; ++g)
-      m_starts[g + 1] += m_starts[g];
-    m_triangles.resize(triangles.size());
-    std::vector<int> ends(m_starts.begin(), m_starts.end() - 1);
-    for(int f = 0; f < int(triangles.size()); ++f)
-      m_triangles[ends[group(triangles[f])]++] = f;
+    m_groups = Buckets<int>(n + 1, [&](const auto& visit)
+    {
+      for(int f = 0; f < int(triangles.size()); ++f)
+        visit(group(triangles[f]), f);
+    });
   }
 
   // Calls `add(f, terms(f))` for each triangle and adds up what it returns. `terms` only looks, and may be called for
@@ -67,12 +63,12 @@ public:
   template <typename Terms, typename Add>
   double sum(Execution execution, const Terms& terms, const Add& add) const
   {
-    const int n = int(m_starts.size()) - 2;
+    const int n = m_groups.number_of_buckets() - 1;
     std::vector<double> sums(n, 0);
     execute(execution, n, [&](int g)
     {
-      for(int i = m_starts[g]; i < m_starts[g + 1]; ++i)
-        sums[g] += add(m_triangles[i], terms(m_triangles[i]));
+      for(int f : m_groups[g])
+        sums[g] += add(f, terms(f));
     });
     double total = 0;
     for(double s : sums)
@@ -87,31 +83,33 @@ private:
   double sum_between(Execution execution, const Terms& terms, const Add& add) const
   {
     constexpr int number_of_parts = 16, part_size = 128; // triangles; what is worked out for all parts stays in the cache
-    const int begin = m_starts[m_starts.size() - 2], end = m_starts.back();
+    const auto triangles = m_groups[m_groups.number_of_buckets() - 1];
     double sum = 0;
-    if(execution == Execution::SEQUENTIAL || end - begin < part_size)
+    if(execution == Execution::SEQUENTIAL || int(triangles.size()) < part_size)
     {
-      for(int i = begin; i < end; ++i)
-        sum += add(m_triangles[i], terms(m_triangles[i]));
+      for(int f : triangles)
+        sum += add(f, terms(f));
       return sum;
     }
+    const int* const first = triangles.begin();
+    const int number = int(triangles.size());
     constexpr int most = number_of_parts * part_size;
-    std::vector<decltype(terms(0))> worked_out((std::min)(most, end - begin));
-    for(int first = begin; first < end; first += most)
+    std::vector<decltype(terms(0))> worked_out((std::min)(most, number));
+    for(int begin = 0; begin < number; begin += most)
     {
-      const int size = (std::min)(most, end - first);
+      const int size = (std::min)(most, number - begin);
       execute(execution, (size + part_size - 1) / part_size, [&](int part)
       {
         for(int i = part * part_size; i < (std::min)(size, (part + 1) * part_size); ++i)
-          worked_out[i] = terms(m_triangles[first + i]);
+          worked_out[i] = terms(first[begin + i]);
       });
       for(int i = 0; i < size; ++i)
-        sum += add(m_triangles[first + i], worked_out[i]);
+        sum += add(first[begin + i], worked_out[i]);
     }
     return sum;
   }
 
-  std::vector<int> m_starts, m_triangles;
+  Buckets<int> m_groups; // of triangles; the last one holds those between the others
 };
 
 } // namespace internal

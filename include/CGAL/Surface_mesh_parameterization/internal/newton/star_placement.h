@@ -157,11 +157,9 @@ private:
     double sum = 0;
     for(const Star_triangle& t : star)
     {
-      const Wirtinger_derivatives w = wirtinger_derivatives(t.shape, center, t.a, t.b);
-      const double x = w.x(), y = w.y();
-      if(!(x > y) || !(doubled_area(center, t.a, t.b) > 0))
+      if(!(doubled_area(center, t.a, t.b) > 0))
         return std::numeric_limits<double>::infinity();
-      sum += t.shape.area * Energy::value(x, y);
+      sum += triangle_energy<Energy>(t.shape.area, t.shape, center, t.a, t.b);
     }
     return sum;
   }

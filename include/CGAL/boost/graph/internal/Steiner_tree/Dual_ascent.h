@@ -13,6 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 
 #include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -83,16 +83,12 @@ private:
       m_last[v] = int(m_entries.size()) - 1;
     }
 
-    void sort_into(const std::vector<Group>& groups, std::vector<int>& offsets, std::vector<Share>& shares) const
+    Graph_kernel::Buckets<Share> of_vertices(const std::vector<Group>& groups) const
     {
-      offsets.assign(m_last.size() + 1, 0);
-      for(const Entry& e : m_entries)
-        ++offsets[e.vertex + 1];
-      std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-      std::vector<int> next(offsets.begin(), offsets.end() - 1);
-      shares.resize(m_entries.size());
-      for(const Entry& e : m_entries)
-        shares[next[e.vertex]++] = Share{e.group, groups[e.group].value - e.value};
+      return {int(m_last.size()), [&](const auto& visit) {
+        for(const Entry& e : m_entries)
+          visit(e.vertex, Share{e.group, groups[e.group].value - e.value});
+      }};
     }
   };
 
@@ -103,8 +99,7 @@ private:
   std::vector<double> m_entering; // for arc i in the row of v: reduced weight of the arc that enters v along its edge
   std::vector<int> m_opposite;
   std::vector<Group> m_groups;
-  std::vector<int> m_share_offsets; // rows of the vertices
-  std::vector<Share> m_shares;
+  Graph_kernel::Buckets<Share> m_shares; // of the vertices
   std::vector<double> m_from_root, m_to_terminal;
 
 public:
@@ -136,10 +131,7 @@ public:
   int root() const { return m_root; }
   double bound() const { return m_bound; }
   const std::vector<Group>& groups() const { return m_groups; }
-  Iterator_range<const Share*> shares(int v) const
-  {
-    return CGAL::make_range(m_shares.data() + m_share_offsets[v], m_shares.data() + m_share_offsets[v + 1]);
-  }
+  Iterator_range<const Share*> shares(int v) const { return m_shares[v]; }
 
   // reduced weight of the arc that enters (leaves) v along the i-th arc, which is in the row of v
   double entering_weight(int i) const { return m_entering[i]; }
@@ -266,7 +258,7 @@ private:
       else
         active.insert(std::make_pair(growth.size(), grown));
     }
-    recorded.sort_into(m_groups, m_share_offsets, m_shares);
+    m_shares = recorded.of_vertices(m_groups);
   }
 
   // the vertices that reach the terminal by arcs of reduced weight zero; ends early at a terminal of another leader,

@@ -12,6 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_NEAR_POINTS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_NEAR_POINTS_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
@@ -71,8 +72,7 @@ class Near_points
   std::vector<Edge> m_links; // between points, in the order of their weights
   double m_length = 0.;
   Shortest_paths m_paths;
-  std::vector<int> m_offsets; // of each vertex in the list of the points around vertices
-  std::vector<std::pair<int, double>> m_near;
+  Graph_kernel::Buckets<std::pair<int, double>> m_near; // the points around each vertex, with distances
 
 public:
   Near_points(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<int>& auxiliary_points)
@@ -154,17 +154,11 @@ private:
     for(std::size_t p = 0; p < m_points.size(); ++p)
       if(m_balls[p].radius != radii[p])
         grow_ball(int(p), radii[p]);
-    m_offsets.assign(std::size_t(m_graph->number_of_vertices()) + 1, 0);
-    for(const Ball& ball : m_balls)
-      for(const Near_vertex& near : ball.vertices)
-        ++m_offsets[near.vertex + 1];
-    for(std::size_t v = 1; v < m_offsets.size(); ++v)
-      m_offsets[v] += m_offsets[v - 1];
-    m_near.resize(m_offsets.back());
-    std::vector<int> next(m_offsets.begin(), m_offsets.end() - 1);
-    for(std::size_t p = 0; p < m_points.size(); ++p)
-      for(const Near_vertex& near : m_balls[p].vertices)
-        m_near[next[near.vertex]++] = {int(p), near.distance};
+    m_near = Graph_kernel::Buckets<std::pair<int, double>>(m_graph->number_of_vertices(), [&](const auto& visit) {
+      for(std::size_t p = 0; p < m_points.size(); ++p)
+        for(const Near_vertex& near : m_balls[p].vertices)
+          visit(near.vertex, {int(p), near.distance});
+    });
   }
 
   void grow_ball(int p, double radius)
@@ -185,8 +179,8 @@ private:
   std::vector<Near_point> points_around(int v, const Bottlenecks& bottlenecks) const
   {
     std::vector<Near_point> result;
-    for(int i = m_offsets[v]; i < m_offsets[v + 1]; ++i)
-      result.push_back({bottlenecks.position(m_near[i].first), m_near[i].first, m_near[i].second});
+    for(const auto& near : m_near[v])
+      result.push_back({bottlenecks.position(near.first), near.first, near.second});
     std::sort(result.begin(), result.end(),
               [](const Near_point& a, const Near_point& b) { return a.position < b.position; });
     return result;
@@ -212,7 +206,7 @@ private:
   {
     std::vector<Insertion> result;
     for(int v = 0; v < m_graph->number_of_vertices(); ++v)
-      if(m_offsets[v + 1] - m_offsets[v] > 2) {
+      if(m_near.size(v) > 2) {
         const Insertion insertion{gain(points_around(v, bottlenecks), bottlenecks), v};
         if(insertion.gain > minimum_decrease)
           result.push_back(insertion);
@@ -229,12 +223,11 @@ private:
     std::vector<char> is_taken(m_points.size(), 0);
     std::vector<int> vertices;
     for(const Insertion& insertion : insertions(bottlenecks, minimum_decrease)) {
-      const auto first = m_near.begin() + m_offsets[insertion.vertex],
-                 last = m_near.begin() + m_offsets[insertion.vertex + 1];
-      if(std::any_of(first, last, [&](const auto& near) { return is_taken[near.first]; }))
+      const auto around = std::as_const(m_near)[insertion.vertex];
+      if(std::any_of(around.begin(), around.end(), [&](const auto& near) { return is_taken[near.first]; }))
         continue;
-      for(auto it = first; it != last; ++it)
-        is_taken[it->first] = 1;
+      for(const auto& near : around)
+        is_taken[near.first] = 1;
       vertices.push_back(insertion.vertex);
     }
     return !vertices.empty() && change(minimum_decrease, [&](std::size_t size) {
@@ -283,9 +276,9 @@ private:
     for(const Near_vertex& candidate : m_balls[points.front()].vertices) {
       double sum = 0.;
       std::size_t number = 0;
-      for(int i = m_offsets[candidate.vertex]; i < m_offsets[candidate.vertex + 1]; ++i)
-        if(std::find(points.begin(), points.end(), m_near[i].first) != points.end()) {
-          sum += m_near[i].second;
+      for(const auto& near : m_near[candidate.vertex])
+        if(std::find(points.begin(), points.end(), near.first) != points.end()) {
+          sum += near.second;
           ++number;
         }
       if(number == points.size())
