@@ -171,7 +171,8 @@ void test_relaxation(const Problem& problem, CGAL::Random& random)
   const Map moved = uv;
   Newton_system system(triangles, int(uv.size()), {}), fresh = system;
   system.assemble<Energy>(triangles, problem.shapes, problem.weights, uv, 0);
-  const double gain = Star_relaxation().relax<Energy>(triangles, problem.shapes, problem.weights, threshold, system, uv);
+  const double gain = Star_relaxation(Execution::PARALLEL)
+    .relax<Energy>(triangles, problem.shapes, problem.weights, threshold, system, uv);
   assert(gain > 0.5 * (before - energy_of(best)));
   assert(std::abs(before - energy_of(uv) - gain) < 1e-10 * before);
   assert(count_flips(triangles, uv) == 0);
@@ -180,7 +181,8 @@ void test_relaxation(const Problem& problem, CGAL::Random& random)
 
   Map still = moved; // where nothing is worth it
   fresh.assemble<Energy>(triangles, problem.shapes, problem.weights, still, 0);
-  const double none = Star_relaxation().relax<Energy>(triangles, problem.shapes, problem.weights, std::numeric_limits<double>::infinity(), fresh, still);
+  const double none = Star_relaxation(Execution::SEQUENTIAL)
+    .relax<Energy>(triangles, problem.shapes, problem.weights, std::numeric_limits<double>::infinity(), fresh, still);
   assert(none == 0 && still == moved);
 }
 

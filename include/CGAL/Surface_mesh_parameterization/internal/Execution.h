@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -108,7 +109,7 @@ T reduce_blocks(Execution execution, int size, T value, const Function& f, const
   std::vector<T> parts(number_of_blocks(size), value);
   execute_blocks(execution, size, [&](int begin, int end) { parts[begin / block_size] = f(begin, end); });
   for(const T& part : parts)
-    value = reduce(value, part);
+    value = reduce(std::move(value), part);
   return value;
 }
 

@@ -37,11 +37,13 @@ public:
   Chart_regions(const Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points, Execution execution)
   {
     constexpr int largest = 8192; // vertices: with what belongs to them, as much as a core's own cache holds
+    constexpr int smallest = 2048; // vertices: too many of smaller regions are at their edges
+    constexpr int few = 4;         // regions: fewer are divided for the sake of threads alone
     std::vector<int> vertices = chart.vertices_in_use();
-    if(int(vertices.size()) <= 2 * largest)
+    if(int(vertices.size()) < 2 * smallest)
       return;
     m_starts = {0, int(vertices.size())};
-    while(m_starts[1] - m_starts[0] > largest)
+    while(m_starts[1] > largest || (int(m_starts.size()) <= few && m_starts[1] >= 2 * smallest))
       halve(points, execution, vertices);
     keep_inner(chart, execution, vertices, int(points.size()));
   }

@@ -82,7 +82,8 @@ public:
   // which costs nothing since the energies do not depend on translation). `ranks`: see `Newton_system`.
   Newton_solver(std::vector<Triangle> triangles, int number_of_vertices, const Linear_solver_source& linear_solvers,
                 std::vector<char> is_fixed = {}, const std::vector<int>& ranks = {})
-    : m_triangles(std::move(triangles)), m_execution(linear_solvers.execution()), m_solver(linear_solvers.make_solver())
+    : m_triangles(std::move(triangles)), m_execution(linear_solvers.execution()),
+      m_relaxation(m_execution), m_solver(linear_solvers.make_solver())
   {
     if(std::find(is_fixed.begin(), is_fixed.end(), char(1)) == is_fixed.end() && !m_triangles.empty())
     {
@@ -262,9 +263,12 @@ private:
                              const Eigen::VectorXd& former_gradient, Newton_result& result)
   {
     Curvature_pair pair{Eigen::VectorXd(m_step.size()), m_system.gradient() - former_gradient};
-    for(int v = 0; v < int(uv.size()); ++v)
-      if(const int u = m_system.unknown(v); u >= 0)
-        pair.step.segment<2>(u) = uv[v] - former[v];
+    execute_blocks(m_execution, int(uv.size()), [&](int begin, int end)
+    {
+      for(int v = begin; v < end; ++v)
+        if(const int u = m_system.unknown(v); u >= 0)
+          pair.step.segment<2>(u) = uv[v] - former[v];
+    });
     pair.product = pair.step.dot(pair.gradient_change);
     if(!(pair.product > 0))
       return false;

@@ -80,6 +80,24 @@ public:
     return (d[stride + 1] * x * x - 2 * d[stride] * x * y + d[0] * y * y) / (d[0] * d[stride + 1] - d[stride] * d[stride]);
   }
 
+  // The vertices with a decrement above a threshold.
+  std::vector<int> vertices_above(double threshold) const
+  {
+    const auto append = [](std::vector<int> list, const std::vector<int>& more)
+    {
+      list.insert(list.end(), more.begin(), more.end());
+      return list;
+    };
+    return reduce_blocks(m_execution, int(m_positions.size()), std::vector<int>(), [&](int begin, int end)
+    {
+      std::vector<int> above;
+      for(int v = begin; v < end; ++v)
+        if(decrement(v) > threshold)
+          above.push_back(v);
+      return above;
+    }, append);
+  }
+
   // Where a vertex has moved; nothing without an unknown.
   void set_gradient(int v, const Eigen::Vector2d& gradient)
   {

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
@@ -22,6 +23,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +37,8 @@ namespace internal {
 class Star_relaxation
 {
 public:
+  explicit Star_relaxation(Execution execution) : m_execution(execution) {}
+
   // Moves vertices whose own decrement is above `threshold`, unless these are most. The system holds the gradient at `uv`,
   // of the area-averaged energy, and does so afterwards. Returns by how much that became less. No triangle flips.
   // The triangles are the same in all calls.
@@ -44,10 +49,7 @@ public:
   {
     constexpr int maximum_number_of_rounds = 4;
     constexpr double most = 0.5; // of the vertices: a global step serves more of them better
-    std::vector<int> active;
-    for(int v = 0; v < int(uv.size()); ++v)
-      if(system.decrement(v) > threshold)
-        active.push_back(v);
+    std::vector<int> active = system.vertices_above(threshold);
     if(double(active.size()) > most * double(uv.size()))
       return 0;
     if(!active.empty() && m_corners.number_of_buckets() == 0)
@@ -65,13 +67,14 @@ public:
             touched.insert(touched.end(), triangles[c / 3].begin(), triangles[c / 3].end());
       }
       CGAL::internal::Graph_kernel::sort_unique(touched);
-      active.clear();
-      for(int v : touched)
+      execute_blocks(m_execution, int(touched.size()), [&](int begin, int end)
       {
-        system.set_gradient(v, gradient<Energy>(v, triangles, shapes, weights, uv));
-        if(system.decrement(v) > threshold)
-          active.push_back(v);
-      }
+        for(int i = begin; i < end; ++i)
+          system.set_gradient(touched[i], gradient<Energy>(touched[i], triangles, shapes, weights, uv));
+      });
+      active.clear();
+      std::copy_if(touched.begin(), touched.end(), std::back_inserter(active),
+                   [&](int v) { return system.decrement(v) > threshold; });
     }
     return gain;
   }
@@ -128,6 +131,7 @@ private:
     return sum;
   }
 
+  Execution m_execution;
   Buckets<int> m_corners; // at each vertex; found when a vertex is to move
   std::vector<Star_triangle> m_star;
 };
