@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Local_window.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Mapping_policy.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
+#include <CGAL/Surface_mesh_cutting/internal/mapping/carry_over.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/vertex_distortion.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
@@ -60,40 +61,26 @@ public:
       m_go_further(std::move(go_further)), m_window(mesh)
   {}
 
-  // Starts anew from a cut that leaves one disk; false if no flip-free map was found, if its energy is
-  // above `bound`, or if the run was stopped.
+  // Maps another cut that leaves one disk, if possible from the map that there is. False if no flip-free map was found,
+  // if its energy is above `bound`, or if the run was stopped; then the state is of no use.
   bool initialize(const Cut& cut, double bound = std::numeric_limits<double>::infinity())
-  {
-    return initialize(cut, bound, m_policy.precision);
-  }
-
+  { return initialize(cut, bound, m_policy.precision); }
   // The same with another precision, see `Newton_options::decrement`.
   bool initialize(const Cut& cut, double bound, double precision)
   {
     m_solver.pointer.reset();
+    const Open_chart former = std::move(m_state);
+    m_state = Open_chart();
     m_state.cut = cut;
     m_state.chart = make_chart(m_mesh, cut);
-    m_state.energy = std::numeric_limits<double>::infinity();
-    m_state.precision = std::numeric_limits<double>::infinity();
-    Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes, m_policy.linear_solvers);
+    const bool is_carried = m_policy.first_map == First_map::HIERARCHY && former.energy <= hopeless_energy &&
+                            carry_over(m_mesh, former, m_state);
+    Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes, m_policy.linear_solvers,
+                                      m_state.chart_ranks());
     Newton_options o = options();
     o.decrement = precision;
     o.stop = [bound](const Newton_state& s) { return is_out_of_reach(bound, s); };
-    const auto map_from = [&](First_map first_map)
-    {
-      if(!parameterizer.isometric_start(m_state.uv, o, first_map))
-        return false;
-      const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
-      take_energy(result);
-      if(result.outcome == Newton_outcome::CONVERGED)
-        m_state.precision = precision;
-      return result.outcome != Newton_outcome::FAILED;
-    };
-    constexpr int small = 250; // vertices: of the hierarchy, the first stage would be the whole chart, and solved twice
-    const First_map first_map = m_state.chart.number_of_vertices() <= small ? First_map::TUTTE : m_policy.first_map;
-    bool is_mapped = map_from(first_map);
-    if(is_mapped && first_map == First_map::TUTTE && is_hopeless())
-      is_mapped = map_from(First_map::HIERARCHY);
+    const bool is_mapped = (is_carried && map_from_carried(parameterizer, o)) || map_from_nothing(parameterizer, o);
     if(is_mapped)
       m_state.take_ranks(parameterizer.positions(), m_mesh.number_of_vertices());
     return is_mapped && m_state.energy <= bound && m_go_further();
@@ -103,7 +90,6 @@ public:
   const Corner_table& chart() const { return m_state.chart; }
   const std::vector<Eigen::Vector2d>& uv() const { return m_state.uv; }
   double energy() const { return m_state.energy; }
-
   const Mapping_policy& policy() const { return m_policy; }
 
   // What there is can be kept and put back.
@@ -194,10 +180,7 @@ public:
   }
 
   // Opens the slit in any case.
-  void open(const std::vector<int>& slit)
-  {
-    open_if_useful(slit, -std::numeric_limits<double>::infinity());
-  }
+  void open(const std::vector<int>& slit) { open_if_useful(slit, -std::numeric_limits<double>::infinity()); }
 
   // About what opening the slit would gain, mostly a little less: what the window of twice its length
   // (less if that is large) gains with the rest held fixed. The state stays as it is.
@@ -228,23 +211,45 @@ public:
     return internal::vertex_distortion(m_mesh, m_shapes, m_state.chart, m_state.uv);
   }
 
-  // How far each surface vertex's copies lie from the first of them in the plane; 0 inside.
-  std::vector<double> seam_openings() const
+private:
+  // From the map in `m_state.uv`. False if that takes long or fails. Where triangles are stretched, the Hessian is far
+  // stiffer than it becomes, and decrements are too small to tell anything: it is taken again near the optimum.
+  bool map_from_carried(Chart_parameterizer& parameterizer, Newton_options o)
   {
-    std::vector<int> first(m_mesh.number_of_vertices(), -1);
-    std::vector<double> seam_openings(m_mesh.number_of_vertices(), 0);
-    for(int c = 0; c < m_state.chart.number_of_vertices(); ++c)
-    {
-      const int v = m_state.chart.origins()[c];
-      if(first[v] < 0)
-        first[v] = c;
-      else
-        seam_openings[v] = (std::max)(seam_openings[v], (m_state.uv[c] - m_state.uv[first[v]]).norm());
-    }
-    return seam_openings;
+    constexpr int enough_factorizations = 3;
+    constexpr double near = 1e-2, nearer = 1e-3; // decrements, of the energy
+    Newton_options first = options();
+    first.decrement = near;
+    first.maximum_iterations = o.maximum_iterations = enough_factorizations;
+    // What is stopped further from its optimum would pass for a map that is worse than it can be.
+    o.stop = [stop = o.stop](const Newton_state& s) { return s.decrement < nearer * s.energy && stop(s); };
+    if(!improve(parameterizer, first).is_converged())
+      return false;
+    const Newton_result result = improve(parameterizer, o);
+    return result.is_converged() || result.outcome == Newton_outcome::STOPPED;
   }
 
-private:
+  bool map_from_nothing(Chart_parameterizer& parameterizer, const Newton_options& o)
+  {
+    const auto map_from = [&](First_map first_map)
+    {
+      return parameterizer.isometric_start(m_state.uv, o, first_map) &&
+             improve(parameterizer, o).outcome != Newton_outcome::FAILED;
+    };
+    constexpr int small = 250; // vertices: of the hierarchy, the first stage would be the whole chart, and solved twice
+    const First_map first_map = m_state.chart.number_of_vertices() <= small ? First_map::TUTTE : m_policy.first_map;
+    return map_from(first_map) && (first_map != First_map::TUTTE || !is_hopeless() || map_from(First_map::HIERARCHY));
+  }
+
+  Newton_result improve(Chart_parameterizer& parameterizer, const Newton_options& o)
+  {
+    const Newton_result result = parameterizer.improve_isometrically(m_state.uv, o);
+    take_energy(result);
+    if(result.outcome == Newton_outcome::CONVERGED)
+      m_state.precision = o.decrement;
+    return result;
+  }
+
   void take_energy(const Newton_result& result)
   {
     m_state.energy = result.energy;

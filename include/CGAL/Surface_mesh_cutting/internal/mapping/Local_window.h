@@ -20,10 +20,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -49,7 +49,8 @@ public:
   };
 
   explicit Local_window(const Indexed_mesh& mesh)
-    : m_mesh(mesh), m_reach(mesh.graph()), m_local_vertex(mesh.number_of_vertices(), -1)
+    : m_mesh(mesh), m_reach(mesh.graph()), m_is_collected(mesh.number_of_faces(), 0),
+      m_local_vertex(mesh.number_of_vertices(), -1)
   {}
 
   // Finds the triangles that touch the vertices within `radius` of the slit. False if the window is no longer
@@ -64,22 +65,30 @@ public:
       m_reach.add_source(m_mesh.source(m_mesh.halfedge(e)));
       m_reach.add_source(m_mesh.target(m_mesh.halfedge(e)));
     }
-    std::vector<int> faces;
+    m_faces.clear();
+    const auto add = [this](int h)
+    {
+      if(h >= 0 && !m_is_collected[h / 3])
+      {
+        m_is_collected[h / 3] = 1;
+        m_faces.push_back(h / 3);
+      }
+    };
     m_reach.run([&](int v)
                 {
-                  if(m_reach.distance(v) > radius || faces.size() > 6 * largest) // each comes up six times
+                  if(m_reach.distance(v) > radius || m_faces.size() > largest)
                     return false;
                   for(int a = m_mesh.graph().offsets[v]; a < m_mesh.graph().offsets[v + 1]; ++a)
                   {
-                    const int h = m_mesh.halfedge(m_mesh.graph().arcs[a].edge), o = m_mesh.opposite(h);
-                    faces.push_back(h / 3);
-                    if(o >= 0)
-                      faces.push_back(o / 3);
+                    const int h = m_mesh.halfedge(m_mesh.graph().arcs[a].edge);
+                    add(h);
+                    add(m_mesh.opposite(h));
                   }
                   return true;
                 });
-    CGAL::internal::Graph_kernel::sort_unique(faces);
-    m_faces = std::move(faces);
+    for(int f : m_faces)
+      m_is_collected[f] = 0;
+    std::sort(m_faces.begin(), m_faces.end());
     m_radius = radius;
     return m_faces.size() <= largest;
   }
@@ -120,6 +129,7 @@ private:
   const Indexed_mesh& m_mesh;
   Shortest_paths m_reach;
   std::vector<int> m_faces;
+  std::vector<char> m_is_collected; // of all faces, none between calls
   double m_radius = 0;
   std::vector<int> m_local_vertex; // of each chart vertex, -1 outside of the window
 };

@@ -36,7 +36,7 @@ struct Open_chart
   // Of the surface's vertices: an order of elimination that suited an earlier chart suits this one, too; empty if
   // none is known.
   std::vector<int> ranks;
-  double energy = 0; // area-averaged, converged
+  double energy = std::numeric_limits<double>::infinity();    // area-averaged, converged
   double precision = std::numeric_limits<double>::infinity(); // the decrement that was reached, of the energy
 
   // The ranks of some vertices of the chart.
@@ -68,6 +68,22 @@ struct Open_chart
       int& rank = ranks[chart.origins()[v]];
       rank = (std::max)(rank, positions[v]);
     }
+  }
+
+  // How far each surface vertex's copies lie from the first of them in the plane; 0 inside.
+  std::vector<double> seam_openings(int number_of_surface_vertices) const
+  {
+    std::vector<int> first(number_of_surface_vertices, -1);
+    std::vector<double> openings(number_of_surface_vertices, 0);
+    for(int c = 0; c < chart.number_of_vertices(); ++c)
+    {
+      const int v = chart.origins()[c];
+      if(first[v] < 0)
+        first[v] = c;
+      else
+        openings[v] = (std::max)(openings[v], (uv[c] - uv[first[v]]).norm());
+    }
+    return openings;
   }
 };
 

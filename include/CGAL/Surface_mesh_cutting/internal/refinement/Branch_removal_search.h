@@ -59,7 +59,7 @@ public:
     std::vector<char> is_end(m_mesh.number_of_vertices(), 0);
     for(int v : features)
       is_end[v] = 1;
-    const std::vector<double> seam_openings = map.seam_openings();
+    const std::vector<double> seam_openings = map.state().seam_openings(m_mesh.number_of_vertices());
     const std::size_t open_edges = number_of_open_edges(map.cut());
     Branch_removal best;
     std::pair<double, double> best_rank;

@@ -79,10 +79,10 @@ public:
 
   // Collapses what is flipped under `uv` (over the vertices of the whole chart) instead. False if
   // flips remain.
-  bool collapse_flips(const std::vector<Eigen::Vector2d>& uv)
+  bool collapse_flips(const std::vector<Eigen::Vector2d>& uv, int maximum_number_of_collapses)
   {
     Phase phase(1);
-    const bool is_flip_free = Flip_collapse(m_chart, uv, phase.front())();
+    const bool is_flip_free = Flip_collapse(m_chart, uv, phase.front())(maximum_number_of_collapses);
     add(std::move(phase));
     return is_flip_free;
   }

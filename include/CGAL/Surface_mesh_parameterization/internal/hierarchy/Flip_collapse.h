@@ -38,15 +38,15 @@ public:
     : m_chart(chart), m_uv(uv), m_log(log)
   {}
 
-  // False if a triangle stays flipped, as may happen between short borders. Each collapse takes the
-  // time of the one-rings around it.
-  bool operator()()
+  // False if a triangle stays flipped, as may happen between short borders, after at most so many collapses. Each takes
+  // the time of the one-rings around it.
+  bool operator()(int maximum_number_of_collapses)
   {
     for(int t = 0; t < int(m_chart.triangles().size()); ++t)
       if(is_flipped(t))
         m_queue.push_back(t);
     std::size_t failures = 0;
-    while(!m_queue.empty() && failures < m_queue.size())
+    while(!m_queue.empty() && failures < m_queue.size() && m_log.size() < maximum_number_of_collapses)
     {
       const int t = m_queue.front();
       m_queue.pop_front();

@@ -20,6 +20,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -28,13 +29,14 @@ namespace internal {
 
 // Makes a map with a few flipped triangles flip-free, by progressive embedding [SJZP19]: vertices
 // around the flips are collapsed and put back, each where it is as conformal as possible. `points`
-// holds the position of each chart vertex on the surface. False if flips remain; then `uv` is not
-// valid. About linear in the size of the chart.
+// holds the position of each chart vertex on the surface. False if flips remain, or would take more
+// collapses; then `uv` is not valid. About linear in the size of the chart.
 inline bool remove_flips(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                         std::vector<Eigen::Vector2d>& uv)
+                         std::vector<Eigen::Vector2d>& uv,
+                         int maximum_number_of_collapses = (std::numeric_limits<int>::max)())
 {
   Chart_hierarchy hierarchy(chart, points);
-  return hierarchy.collapse_flips(uv) &&
+  return hierarchy.collapse_flips(uv, maximum_number_of_collapses) &&
          hierarchy.refine_to<MIPS_energy>(chart.number_of_vertices(), uv) &&
          count_flips(chart.triangles(), uv) == 0;
 }

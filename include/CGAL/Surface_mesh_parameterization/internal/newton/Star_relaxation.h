@@ -19,8 +19,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
-
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -53,7 +51,10 @@ public:
     if(double(active.size()) > most * double(uv.size()))
       return 0;
     if(!active.empty() && m_corners.number_of_buckets() == 0)
+    {
       m_corners = corners_at_vertices(triangles, int(uv.size()));
+      m_is_touched.assign(uv.size(), 0);
+    }
     double gain = 0;
     for(int round = 0; round < maximum_number_of_rounds && !active.empty(); ++round)
     {
@@ -64,9 +65,16 @@ public:
         gain += decrease;
         if(decrease > 0)
           for(int c : m_corners[v])
-            touched.insert(touched.end(), triangles[c / 3].begin(), triangles[c / 3].end());
+            for(int w : triangles[c / 3])
+              if(!m_is_touched[w])
+              {
+                m_is_touched[w] = 1;
+                touched.push_back(w);
+              }
       }
-      CGAL::internal::Graph_kernel::sort_unique(touched);
+      for(int v : touched)
+        m_is_touched[v] = 0;
+      std::sort(touched.begin(), touched.end());
       execute_blocks(m_execution, int(touched.size()), [&](int begin, int end)
       {
         for(int i = begin; i < end; ++i)
@@ -132,7 +140,8 @@ private:
   }
 
   Execution m_execution;
-  Buckets<int> m_corners; // at each vertex; found when a vertex is to move
+  Buckets<int> m_corners;         // at each vertex; found when a vertex is to move
+  std::vector<char> m_is_touched; // per vertex, none between rounds
   std::vector<Star_triangle> m_star;
 };
 
