@@ -5,6 +5,7 @@
 
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
@@ -16,6 +17,7 @@
 
 #include <iterator>
 #include <limits>
+#include <set>
 
 using Core::Csr_graph;
 typedef boost::graph_traits<Csr_graph>::edge_descriptor Descriptor;
@@ -101,6 +103,29 @@ void test_buckets(CGAL::Random& random)
   }
 }
 
+// Against a standard set, also when used again.
+void test_index_set(CGAL::Random& random)
+{
+  CGAL::internal::Graph_kernel::Index_set set(random.get_int(1, 20));
+  for(int round = 0; round < 2; ++round) {
+    std::set<int> expected;
+    std::vector<int> order;
+    for(int i = random.get_int(0, 30); i > 0; --i) {
+      const int value = random.get_int(0, set.number_of_possible());
+      if(expected.insert(value).second)
+        order.push_back(value);
+      set.insert(value);
+    }
+    for(int i = 0; i < set.number_of_possible(); ++i)
+      CHECK(set.contains(i) == (expected.count(i) > 0));
+    CHECK(set.indices() == order);
+    set.sort();
+    CHECK(set.indices() == std::vector<int>(expected.begin(), expected.end()));
+    set.clear();
+    CHECK(set.indices().empty());
+  }
+}
+
 int main()
 {
   const unsigned int seed = 20260103;
@@ -108,6 +133,7 @@ int main()
   CGAL::Random random(seed);
   for(int i = 0; i < 2000; ++i) {
     test_buckets(random);
+    test_index_set(random);
     const Csr_graph graph = random_graph(random);
     test_shortest_paths(graph, random.get_int(0, graph.number_of_vertices()));
     test_spanning_forest(graph);

@@ -69,17 +69,12 @@ public:
   bool initialize(const Cut& cut, double bound, double precision)
   {
     m_solver.pointer.reset();
-    const Open_chart former = std::move(m_state);
-    m_state = Open_chart();
-    m_state.cut = cut;
-    m_state.chart = make_chart(m_mesh, cut);
-    const bool is_carried = m_policy.first_map == First_map::HIERARCHY && former.energy <= hopeless_energy &&
-                            carry_over(m_mesh, former, m_state);
+    const bool is_carried = open_along(cut);
     Chart_parameterizer parameterizer(m_state.chart, chart_points(m_mesh, m_state.chart), m_shapes, m_policy.linear_solvers,
                                       m_state.chart_ranks());
     Newton_options o = options();
     o.decrement = precision;
-    o.stop = [bound](const Newton_state& s) { return is_out_of_reach(bound, s); };
+    o.stop = [bound](const Newton_state& s) { return s.is_out_of_reach(bound); };
     const bool is_mapped = (is_carried && map_from_carried(parameterizer, o)) || map_from_nothing(parameterizer, o);
     if(is_mapped)
       m_state.take_ranks(parameterizer.positions(), m_mesh.number_of_vertices());
@@ -114,14 +109,7 @@ public:
   bool try_slit(const std::vector<int>& slit, double threshold)
   {
     const Trial trial = begin(slit);
-    if(is_useful(slit, threshold) && m_go_further())
-    {
-      for(int e : slit)
-        m_state.cut[e] = 1;
-      return true;
-    }
-    take_back(trial);
-    return false;
+    return end(trial, slit, is_useful(slit, threshold) && m_go_further());
   }
 
   // Opens the slit if windows around it gain more than `threshold` with the rest held fixed. Nothing else is solved:
@@ -129,14 +117,7 @@ public:
   bool open_if_locally_useful(const std::vector<int>& slit, double threshold)
   {
     const Trial trial = begin(slit);
-    if(judge_locally(slit, threshold) == Verdict::USEFUL)
-    {
-      for(int e : slit)
-        m_state.cut[e] = 1;
-      return true;
-    }
-    take_back(trial);
-    return false;
+    return end(trial, slit, judge_locally(slit, threshold) == Verdict::USEFUL);
   }
 
   // Whether no cut seems to lead to a useful map. Then every slit gains: searches for slits need a limit.
@@ -212,6 +193,17 @@ public:
   }
 
 private:
+  // Opens the surface along another cut. Whether its map came along.
+  bool open_along(const Cut& cut)
+  {
+    const Open_chart former = std::move(m_state);
+    m_state = Open_chart();
+    m_state.cut = cut;
+    m_state.chart = make_chart(m_mesh, cut);
+    return m_policy.first_map == First_map::HIERARCHY && former.energy <= hopeless_energy &&
+           carry_over(m_mesh, former, m_state);
+  }
+
   // From the map in `m_state.uv`. False if that takes long or fails. Where triangles are stretched, the Hessian is far
   // stiffer than it becomes, and decrements are too small to tell anything: it is taken again near the optimum.
   bool map_from_carried(Chart_parameterizer& parameterizer, Newton_options o)
@@ -284,6 +276,17 @@ private:
     m_state.uv = trial.former_uv;
   }
 
+  // Returns `is_kept`.
+  bool end(const Trial& trial, const std::vector<int>& slit, bool is_kept)
+  {
+    if(!is_kept)
+      take_back(trial);
+    else
+      for(int e : slit)
+        m_state.cut[e] = 1;
+    return is_kept;
+  }
+
   Newton_options options()
   {
     Newton_options o;
@@ -325,14 +328,6 @@ private:
     return verdict == Verdict::UNCLEAR ? is_globally_useful(threshold) : verdict == Verdict::USEFUL;
   }
 
-  // Whether the energy will stay above `bound`. The Newton decrement estimates twice the gain that is
-  // left; far from convergence it is too small, hence the factor.
-  static bool is_out_of_reach(double bound, const Newton_state& s)
-  {
-    constexpr double caution = 2;
-    return s.energy - caution * s.decrement > bound;
-  }
-
   bool is_globally_useful(double threshold)
   {
     const double target = m_state.energy - threshold;
@@ -342,7 +337,7 @@ private:
     o.stop = [&](const Newton_state& s)
     {
       is_useful = s.energy < target;
-      is_decided = is_useful || (m_policy.uses_estimates && is_out_of_reach(target, s));
+      is_decided = is_useful || (m_policy.uses_estimates && s.is_out_of_reach(target));
       return is_decided;
     };
     const Newton_result result = solve(o);

@@ -19,18 +19,18 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Index_set;
 using CGAL::internal::Graph_kernel::Shortest_paths;
 
 // The surroundings of a slit in a chart: the vertices within a radius are free, those around them fixed.
@@ -49,8 +49,7 @@ public:
   };
 
   explicit Local_window(const Indexed_mesh& mesh)
-    : m_mesh(mesh), m_reach(mesh.graph()), m_is_collected(mesh.number_of_faces(), 0),
-      m_local_vertex(mesh.number_of_vertices(), -1)
+    : m_mesh(mesh), m_reach(mesh.graph()), m_faces(mesh.number_of_faces()), m_local_vertex(mesh.number_of_vertices(), -1)
   {}
 
   // Finds the triangles that touch the vertices within `radius` of the slit. False if the window is no longer
@@ -66,31 +65,22 @@ public:
       m_reach.add_source(m_mesh.target(m_mesh.halfedge(e)));
     }
     m_faces.clear();
-    const auto add = [this](int h)
-    {
-      if(h >= 0 && !m_is_collected[h / 3])
-      {
-        m_is_collected[h / 3] = 1;
-        m_faces.push_back(h / 3);
-      }
-    };
     m_reach.run([&](int v)
                 {
-                  if(m_reach.distance(v) > radius || m_faces.size() > largest)
+                  if(m_reach.distance(v) > radius || m_faces.indices().size() > largest)
                     return false;
                   for(int a = m_mesh.graph().offsets[v]; a < m_mesh.graph().offsets[v + 1]; ++a)
                   {
                     const int h = m_mesh.halfedge(m_mesh.graph().arcs[a].edge);
-                    add(h);
-                    add(m_mesh.opposite(h));
+                    m_faces.insert(h / 3);
+                    if(m_mesh.opposite(h) >= 0)
+                      m_faces.insert(m_mesh.opposite(h) / 3);
                   }
                   return true;
                 });
-    for(int f : m_faces)
-      m_is_collected[f] = 0;
-    std::sort(m_faces.begin(), m_faces.end());
+    m_faces.sort();
     m_radius = radius;
-    return m_faces.size() <= largest;
+    return m_faces.indices().size() <= largest;
   }
 
   // `shapes` and `weights` of the whole chart.
@@ -99,7 +89,7 @@ public:
   {
     System system;
     m_local_vertex.resize(open.chart.number_of_vertices(), -1);
-    for(int f : m_faces)
+    for(int f : m_faces.indices())
     {
       Triangle local;
       for(int k = 0; k < 3; ++k)
@@ -128,8 +118,7 @@ public:
 private:
   const Indexed_mesh& m_mesh;
   Shortest_paths m_reach;
-  std::vector<int> m_faces;
-  std::vector<char> m_is_collected; // of all faces, none between calls
+  Index_set m_faces;
   double m_radius = 0;
   std::vector<int> m_local_vertex; // of each chart vertex, -1 outside of the window
 };

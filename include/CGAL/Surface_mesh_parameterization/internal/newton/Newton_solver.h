@@ -47,6 +47,13 @@ struct Newton_state
   int iteration;
   double energy;    // area-averaged
   double decrement; // g^T H^-1 g, about twice the gain that is left
+
+  // Whether the energy will stay above `bound`. Far from convergence the decrement is too small, hence the factor.
+  bool is_out_of_reach(double bound) const
+  {
+    constexpr double caution = 2;
+    return energy - caution * decrement > bound;
+  }
 };
 
 struct Newton_options

@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -28,6 +30,8 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Index_set;
 
 // Nonlinear elimination [LRW96]: a few triangles that a step brought near a flip make the quadratic model useless and the
 // next steps short, for all others as well. Their vertices are moved one by one, each to where the energy of its star is
@@ -53,12 +57,12 @@ public:
     if(!active.empty() && m_corners.number_of_buckets() == 0)
     {
       m_corners = corners_at_vertices(triangles, int(uv.size()));
-      m_is_touched.assign(uv.size(), 0);
+      m_touched = Index_set(int(uv.size()));
     }
     double gain = 0;
     for(int round = 0; round < maximum_number_of_rounds && !active.empty(); ++round)
     {
-      std::vector<int> touched;
+      m_touched.clear();
       for(int v : active)
       {
         const double decrease = move<Energy>(v, triangles, shapes, weights, uv);
@@ -66,15 +70,10 @@ public:
         if(decrease > 0)
           for(int c : m_corners[v])
             for(int w : triangles[c / 3])
-              if(!m_is_touched[w])
-              {
-                m_is_touched[w] = 1;
-                touched.push_back(w);
-              }
+              m_touched.insert(w);
       }
-      for(int v : touched)
-        m_is_touched[v] = 0;
-      std::sort(touched.begin(), touched.end());
+      m_touched.sort();
+      const std::vector<int>& touched = m_touched.indices();
       execute_blocks(m_execution, int(touched.size()), [&](int begin, int end)
       {
         for(int i = begin; i < end; ++i)
@@ -140,8 +139,8 @@ private:
   }
 
   Execution m_execution;
-  Buckets<int> m_corners;         // at each vertex; found when a vertex is to move
-  std::vector<char> m_is_touched; // per vertex, none between rounds
+  Buckets<int> m_corners; // at each vertex; found when a vertex is to move
+  Index_set m_touched;    // vertices, in each round
   std::vector<Star_triangle> m_star;
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 
@@ -31,6 +32,7 @@ namespace Steiner_tree {
 
 using Graph_kernel::Csr_graph;
 using Graph_kernel::Go_further;
+using Graph_kernel::Index_set;
 using Graph_kernel::Shortest_paths;
 
 // A feasible dual solution of the directed cut formulation (Wong 1984). Every Steiner tree, directed away from a
@@ -191,32 +193,21 @@ private:
   struct Growth
   {
     Shortest_paths paths;
-    std::vector<char> is_inside;
-    std::vector<int> inside;  // in the order of the search
+    Index_set inside;         // in the order of the search
     std::vector<int> reached; // outside, in the order of their distances
     std::vector<int> members; // positions of the terminals
 
-    explicit Growth(const Csr_graph& graph) : paths(graph), is_inside(graph.number_of_vertices(), 0) {}
+    explicit Growth(const Csr_graph& graph) : paths(graph), inside(graph.number_of_vertices()) {}
 
-    double distance(int v) const { return is_inside[v] ? 0. : paths.distance(v); }
-    int size() const { return int(inside.size() + reached.size()); }
+    double distance(int v) const { return inside.contains(v) ? 0. : paths.distance(v); }
+    int size() const { return int(inside.indices().size() + reached.size()); }
 
     void clear()
     {
-      for(int v : inside)
-        is_inside[v] = 0;
       inside.clear();
       reached.clear();
       members.clear();
       paths.clear();
-    }
-
-    void enclose(int v)
-    {
-      if(!is_inside[v]) {
-        is_inside[v] = 1;
-        inside.push_back(v);
-      }
     }
   };
 
@@ -242,7 +233,7 @@ private:
       const double limit = active.empty() ? double(m_graph->number_of_vertices())
                                           : 2. * (std::max)(size, active.begin()->first);
       growth.clear();
-      growth.enclose(m_terminals[grown]);
+      growth.inside.insert(m_terminals[grown]);
       int met = collect_inside(growth, position, leaders, grown);
       if(met == grown) {
         double radius = 0.;
@@ -265,8 +256,8 @@ private:
   // which it returns, else `grown`
   int collect_inside(Growth& growth, const std::vector<int>& position, Leaders& leaders, int grown) const
   {
-    for(std::size_t next = 0; next < growth.inside.size(); ++next) {
-      const int v = growth.inside[next], p = position[v];
+    for(std::size_t next = 0; next < growth.inside.indices().size(); ++next) {
+      const int v = growth.inside.indices()[next], p = position[v];
       if(p >= 0) {
         if(leaders.find(p) != grown)
           return leaders.find(p);
@@ -274,7 +265,7 @@ private:
       }
       for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i)
         if(m_entering[i] == 0.)
-          growth.enclose(m_graph->arcs[i].target);
+          growth.inside.insert(m_graph->arcs[i].target);
     }
     return grown;
   }
@@ -284,13 +275,13 @@ private:
   int grow(Growth& growth, const std::vector<int>& position, Leaders& leaders, int grown, double limit,
            double& radius) const
   {
-    for(int v : growth.inside)
+    for(int v : growth.inside.indices())
       for(int i = m_graph->offsets[v]; i < m_graph->offsets[v + 1]; ++i)
-        if(!growth.is_inside[m_graph->arcs[i].target])
+        if(!growth.inside.contains(m_graph->arcs[i].target))
           growth.paths.add_source(m_graph->arcs[i].target, m_entering[i]);
     int met = grown;
     growth.paths.run([&](int v) {
-      if(growth.is_inside[v])
+      if(growth.inside.contains(v))
         return true;
       radius = growth.paths.distance(v);
       if(position[v] >= 0)
@@ -321,7 +312,7 @@ private:
         }
       }
     };
-    for(int v : growth.inside) {
+    for(int v : growth.inside.indices()) {
       recorded.add(v, group, former);
       lower_entering_weights(v);
     }

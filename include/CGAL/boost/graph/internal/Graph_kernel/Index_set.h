@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_INDEX_SET_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_INDEX_SET_H
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+namespace Graph_kernel {
+
+// A set of numbers from 0 to a known one, in the order in which they come until it is sorted. One mark for each possible
+// number is kept, so that all calls but sorting take time for what the set holds alone, and it can be used again.
+class Index_set
+{
+public:
+  explicit Index_set(int number_of_possible = 0) : m_is_in(number_of_possible, 0) {}
+
+  int number_of_possible() const { return int(m_is_in.size()); }
+  bool contains(int i) const { return m_is_in[i]; }
+  const std::vector<int>& indices() const { return m_indices; }
+
+  void insert(int i)
+  {
+    if(!m_is_in[i])
+    {
+      m_is_in[i] = 1;
+      m_indices.push_back(i);
+    }
+  }
+
+  void sort() { std::sort(m_indices.begin(), m_indices.end()); }
+
+  void clear()
+  {
+    for(int i : m_indices)
+      m_is_in[i] = 0;
+    m_indices.clear();
+  }
+
+private:
+  std::vector<char> m_is_in;
+  std::vector<int> m_indices;
+};
+
+} // namespace Graph_kernel
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_INDEX_SET_H
