@@ -78,7 +78,7 @@ struct Cutting_parameters
   // budget; most trees are proven optimal within this one.
   std::size_t number_of_states_while_refining = 500000;
   unsigned int random_seed = 0;
-  bool adds_start = true; // whether that of the seed comes to those of the first seed, where there are several at a bound
+  bool adds_start = true; // whether that of the seed comes to those of the first seeds, where there are several at a bound
   // For the sparse systems of all maps; not needed where nothing is mapped.
   std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
 

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
@@ -84,7 +85,7 @@ public:
       if(runs.size() == 1 && goes_on_after(results))
         for(const Cutting_parameters& other : portfolio(with_effort(Effort::BEST, m_context.parameters), has_seeds))
           runs.push_back(other);
-      else if(runs.size() == 1 && done.seeds.empty() && lacks_room(results))
+      else if(runs.size() == 1 && !done.features.empty() && lacks_room(results))
         add_further_runs(further_runs(m_context.parameters, has_seeds), done, results);
     }
     if(m_problem.initial.is_given())
@@ -100,7 +101,8 @@ public:
   }
 
 private:
-  // What runs with the same effort have done: the features that they led to, or the seeds of several starts.
+  // What runs with the same effort have done: the features that they led to, but for several starts that are finished, and
+  // the seeds of the last one's starts, if it had several.
   struct Done
   {
     std::vector<std::vector<int>> features;
@@ -113,14 +115,15 @@ private:
   {
     std::vector<Component_result> results;
     const Several_starts<ConcurrencyTag> several(m_problem, m_context);
-    if(has_seeds && several.serve(parameters))
-    {
-      std::vector<unsigned int> seeds = several.seeds(parameters.random_seed);
-      if(seeds != done.seeds)
-        results = several.run(parameters);
-      done.seeds = std::move(seeds);
+    const bool finishes_several = has_seeds && several.serve(parameters);
+    std::vector<unsigned int> seeds = finishes_several ? several.seeds(parameters.random_seed)
+                                                       : seeds_of_compared_starts(m_problem, parameters);
+    const bool is_new = seeds.empty() || seeds != done.seeds;
+    done.seeds = std::move(seeds);
+    if(!is_new)
       return results;
-    }
+    if(finishes_several)
+      return several.run(parameters);
     results.push_back(Start_run<ConcurrencyTag>(m_problem, parameters, m_context)(0, needs_map, done.features));
     done.features.push_back(results.front().detected_features);
     return results;

@@ -19,10 +19,12 @@
 #include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -62,47 +64,75 @@ inline Cutting_parameters without_moved_ends(Cutting_parameters parameters)
   return parameters;
 }
 
-// With a bound, one start in about ten leads to a cut far longer than those of others. A second start on a still coarser
-// version is so unlike the first that hardly ever both do, and takes little time. Cuts of so coarse a version are longer:
-// the second one takes the place of the first only where that is bad, and its ends move only where it is shorter than the
-// first before these have moved. On request, both are those of the first seed, and one of the given seed on that still
-// coarser version takes their place if it is clearly better: so few runs depend on it.
+// With a bound, one start in about ten leads to a cut far longer than those of others. Starts on a still coarser version
+// are so unlike the first that hardly ever all do, and take little time. On request, all are those of the first seeds,
+// whatever the given one is; if that is none of these, its start comes last.
+inline std::vector<Cutting_parameters> parameters_of_starts(const Cutting_parameters& given)
+{
+  constexpr double relative_size = 0.5; // of the still coarser version, in faces
+  Cutting_parameters still_coarser = given;
+  still_coarser.coarse_number_of_faces = int(relative_size * given.coarse_number_of_faces);
+  if(!given.adds_start)
+    return {given, still_coarser};
+  std::vector<Cutting_parameters> starts(1, given);
+  starts.front().random_seed = 0;
+  for(unsigned int seed = 0; seed < number_of_first_seeds; ++seed)
+  {
+    starts.push_back(still_coarser);
+    starts.back().random_seed = seed;
+  }
+  if(given.random_seed >= number_of_first_seeds)
+    starts.push_back(still_coarser);
+  return starts;
+}
+
+// Whether several starts on coarser versions are compared.
+inline bool compares_starts(const Problem& problem, const Cutting_parameters& parameters)
+{
+  return parameters.moves_ends && problem.is_sphere && is_coarsened(problem, parameters) && !searches(problem, parameters);
+}
+
+// The seeds of those; runs with the same ones, and otherwise the same parameters, find the same. None if there are none.
+inline std::vector<unsigned int> seeds_of_compared_starts(const Problem& problem, const Cutting_parameters& parameters)
+{
+  std::vector<unsigned int> seeds;
+  if(compares_starts(problem, parameters))
+    for(const Cutting_parameters& start : parameters_of_starts(parameters))
+      seeds.push_back(start.random_seed);
+  return seeds;
+}
+
+// Cuts of a still coarser version are longer: the most promising one takes the place of the first only where that is bad,
+// and its ends move only where it is shorter than the first before these have moved. That of the given seed is preferred
+// only if it is clearly better: so few runs depend on it.
 template <typename ConcurrencyTag>
 Detected_features cheapest_features_of_starts(const Problem& problem, int first_start, const Context& context)
 {
-  constexpr double relative_size = 0.5; // of the still coarser version, in faces
-  constexpr double clearly = 0.98;      // times the cost; less may be due to the coarser version
-  Cutting_parameters parameters = context.parameters;
-  if(parameters.adds_start)
-    parameters.random_seed = 0;
-  Cutting_parameters still_coarser = parameters;
-  still_coarser.coarse_number_of_faces = int(relative_size * still_coarser.coarse_number_of_faces);
-  Cutting_parameters added = still_coarser;
-  added.random_seed = context.parameters.random_seed;
-  std::vector<Detected_features> found(added.random_seed == parameters.random_seed ? 2 : 3);
+  constexpr double clearly = 0.98; // times the cost; less may be due to the coarser version
+  const std::vector<Cutting_parameters> starts = parameters_of_starts(context.parameters);
+  std::vector<Detected_features> found(starts.size());
   const auto found_with = [&](const Cutting_parameters& coarser)
   { return rough_features<ConcurrencyTag>(problem, first_start + 1, Context{coarser, context.control, context.clock}); };
-  const auto of_place = [&](int i) { return i == 1 ? still_coarser : added; };
-  for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
+  for_each_index_in_isolation<ConcurrencyTag>(int(starts.size()), [&](int i)
   {
-    found[i] = i > 0 ? found_with(without_moved_ends(of_place(i)))
+    found[i] = i > 0 ? found_with(without_moved_ends(starts[i]))
                      : coarse_features<ConcurrencyTag>(problem, first_start,
-                                                       Context{parameters, context.control, context.clock});
+                                                       Context{starts[i], context.control, context.clock});
   });
-  for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
+  const auto rank = [&](std::size_t i)
   {
-    if(i > 0 && found[i].status && found[i].cost < found[0].prepared_cost)
-      found[i] = found_with(of_place(i));
-  });
-  std::size_t best = 0;
+    const bool is_of_first_seeds = i <= number_of_first_seeds;
+    return std::make_pair(context.parameters.excess(found[i].energy), found[i].cost / (is_of_first_seeds ? 1 : clearly));
+  };
+  std::size_t promising = 0;
   for(std::size_t i = 1; i < found.size(); ++i)
-  {
-    const auto rank = [&](std::size_t j)
-    { return std::make_pair(parameters.excess(found[j].energy), (i == 2 && j < 2 ? clearly : 1) * found[j].cost); };
-    if(found[best].status && found[i].status && rank(i) < rank(best))
-      best = i;
-  }
-  return std::move(found[best]);
+    if(found[i].status && found[i].cost < found[0].prepared_cost && (promising == 0 || rank(i) < rank(promising)))
+      promising = i;
+  if(promising == 0)
+    return std::move(found[0]);
+  found[promising] = found_with(starts[promising]);
+  const bool is_better = found[0].status && found[promising].status && rank(promising) < rank(0);
+  return std::move(found[is_better ? promising : 0]);
 }
 
 // The features that the parameters ask for, found on coarser versions.
@@ -112,7 +142,7 @@ Detected_features detect_coarse_features(const Problem& problem, int start, cons
   if(searches(problem, context.parameters))
     return find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
                                { return Cut_search<ConcurrencyTag>(coarse, c, true).run(start); });
-  if(context.parameters.moves_ends && problem.is_sphere)
+  if(compares_starts(problem, context.parameters))
     return cheapest_features_of_starts<ConcurrencyTag>(problem, start, context);
   return coarse_features<ConcurrencyTag>(problem, start, context);
 }
