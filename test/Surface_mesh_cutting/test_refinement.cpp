@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/distortion_tree.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
@@ -295,6 +296,39 @@ void test_coarser_version()
   check(std::abs(first.average_distortion - second.average_distortion) < 0.1, "about the same energy");
 }
 
+// The starts of the first seeds are taken whichever of these is given, so that they lead to the same cut; any other seed
+// adds a start.
+void test_compared_starts()
+{
+  constexpr double bound = 4.1;
+  Mesh mesh = star(20);
+  std::vector<std::vector<bool>> cuts;
+  for(unsigned int seed : {0u, 1u, 2u, 5u})
+  {
+    Maps maps(mesh, "seed " + std::to_string(seed));
+    const auto np = CGAL::parameters::maximum_average_distortion(bound).coarse_number_of_faces(1000).random_seed(seed);
+    check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, np)) && measure(mesh, maps) <= bound + 1e-12, "any seed");
+    cuts.emplace_back();
+    for(Mesh::Edge_index e : mesh.edges())
+      cuts.back().push_back(maps.is_cut[e]);
+  }
+  check(cuts[1] == cuts[0] && cuts[2] == cuts[0], "the first seeds lead to the same cut");
+
+  const auto seeds = [](unsigned int seed, bool adds_start)
+  {
+    SMC::internal::Cutting_parameters given;
+    given.random_seed = seed;
+    given.adds_start = adds_start;
+    std::vector<unsigned int> result;
+    for(const SMC::internal::Cutting_parameters& start : SMC::internal::parameters_of_starts(given))
+      result.push_back(start.random_seed);
+    return result;
+  };
+  check(seeds(2, true) == std::vector<unsigned int>{0, 0, 1, 2}, "starts of the first seeds");
+  check(seeds(5, true) == std::vector<unsigned int>{0, 0, 1, 2, 5}, "another seed adds a start");
+  check(seeds(5, false) == std::vector<unsigned int>{5, 5}, "starts of one seed");
+}
+
 void test_given_cuts()
 {
   Mesh mesh = star(10);
@@ -359,6 +393,7 @@ int main()
   test_unreachable_bound();
   test_shortening();
   test_coarser_version();
+  test_compared_starts();
   test_given_cuts();
   test_stopping();
   return test::exit_status();
