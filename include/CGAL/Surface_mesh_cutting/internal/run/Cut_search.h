@@ -107,7 +107,7 @@ private:
     const Context context{parameters, m_control, m_context.clock};
     if(place == 0 || !is_coarsened(m_problem, parameters)) // one start at least sees all details
       return refined_features<ConcurrencyTag>(m_problem, start, context);
-    return rough_features<ConcurrencyTag>(m_problem, start, context);
+    return rough_features<ConcurrencyTag>(m_problem, coarser_version(m_problem, context), start, context);
   }
 
   // Between 0.7 and 1.4, evenly spread however many there are.

@@ -111,8 +111,12 @@ Detected_features cheapest_features_of_starts(const Problem& problem, int first_
   constexpr double clearly = 0.98; // times the cost; less may be due to the coarser version
   const std::vector<Cutting_parameters> starts = parameters_of_starts(context.parameters);
   std::vector<Detected_features> found(starts.size());
-  const auto found_with = [&](const Cutting_parameters& coarser)
-  { return rough_features<ConcurrencyTag>(problem, first_start + 1, Context{coarser, context.control, context.clock}); };
+  const Coarse_mesh still_coarser = coarser_version(problem, Context{starts.back(), context.control, context.clock});
+  const auto found_with = [&](const Cutting_parameters& parameters)
+  {
+    return rough_features<ConcurrencyTag>(problem, still_coarser, first_start + 1,
+                                          Context{parameters, context.control, context.clock});
+  };
   for_each_index_in_isolation<ConcurrencyTag>(int(starts.size()), [&](int i)
   {
     found[i] = i > 0 ? found_with(without_moved_ends(starts[i]))
@@ -140,7 +144,8 @@ template <typename ConcurrencyTag>
 Detected_features detect_coarse_features(const Problem& problem, int start, const Context& context)
 {
   if(searches(problem, context.parameters))
-    return find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
+    return find_on_coarse_mesh(problem, coarser_version(problem, context), context,
+                               [start](const Problem& coarse, const Context& c)
                                { return Cut_search<ConcurrencyTag>(coarse, c, true).run(start); });
   if(compares_starts(problem, context.parameters))
     return cheapest_features_of_starts<ConcurrencyTag>(problem, start, context);

@@ -94,16 +94,18 @@ inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, c
   return result;
 }
 
+inline Coarse_mesh coarser_version(const Problem& fine, const Context& context)
+{
+  const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
+  return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals,
+                     context.parameters.linear_solvers->execution());
+}
+
 // What `find(problem, context)` finds on a coarser version. Unreachable features are removed when lifted.
 template <typename Find>
-Detected_features find_on_coarse_mesh(const Problem& fine, const Context& context, const Find& find)
+Detected_features find_on_coarse_mesh(const Problem& fine, const Coarse_mesh& coarse, const Context& context,
+                                      const Find& find)
 {
-  const Coarse_mesh coarse = [&]
-  {
-    const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
-    return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals,
-                       context.parameters.linear_solvers->execution());
-  }();
   const std::vector<int> terminals = coarse.find(fine.terminals);
   Problem problem{coarse.mesh, coarse.shapes(), coarse_constraints(fine.mesh, fine.constraints, coarse, terminals),
                   terminals, Initial_cut(), fine.is_sphere};
@@ -132,17 +134,23 @@ Detected_features refined_features(const Problem& problem, int start, const Cont
 
 // The same on a coarser version of the problem's surface.
 template <typename ConcurrencyTag>
+Detected_features coarse_features(const Problem& problem, const Coarse_mesh& coarse, int start, const Context& context)
+{
+  return find_on_coarse_mesh(problem, coarse, context, [start](const Problem& p, const Context& c)
+                             { return refined_features<ConcurrencyTag>(p, start, c); });
+}
+
+template <typename ConcurrencyTag>
 Detected_features coarse_features(const Problem& problem, int start, const Context& context)
 {
-  return find_on_coarse_mesh(problem, context, [start](const Problem& coarse, const Context& c)
-                             { return refined_features<ConcurrencyTag>(coarse, start, c); });
+  return coarse_features<ConcurrencyTag>(problem, coarser_version(problem, context), start, context);
 }
 
 // Those of so coarse a version that its trade-offs tell too little about the surface.
 template <typename ConcurrencyTag>
-Detected_features rough_features(const Problem& problem, int start, const Context& context)
+Detected_features rough_features(const Problem& problem, const Coarse_mesh& coarse, int start, const Context& context)
 {
-  Detected_features detected = coarse_features<ConcurrencyTag>(problem, start, context);
+  Detected_features detected = coarse_features<ConcurrencyTag>(problem, coarse, start, context);
   detected.trade_offs.clear();
   return detected;
 }
