@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <numeric>
 #include <vector>
 
 namespace Core = CGAL::internal::Steiner_tree;
@@ -53,6 +54,32 @@ inline Core::Solution solve(const Core::Csr_graph& graph, const std::vector<int>
   return Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; });
 }
 
+inline std::vector<int> all_edges(const Core::Csr_graph& graph)
+{
+  std::vector<int> edges(graph.number_of_edges());
+  std::iota(edges.begin(), edges.end(), 0);
+  return edges;
+}
+
+// A known tree, however long, changes nothing about what the exact method proves, and what that finds is never longer.
+inline void check_known_tree(const Core::Csr_graph& graph, const std::vector<int>& terminals,
+                             const std::vector<int>& known, double optimum)
+{
+  const double known_length = Core::make_tree(graph, terminals, known).length;
+  Core::Options options;
+  for(std::size_t states : {options.maximum_number_of_states, std::size_t(0)}) {
+    options.maximum_number_of_states = states;
+    const Core::Solution solution
+      = Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; }, known);
+    check_tree(graph, terminals, solution.tree);
+    CHECK(solution.tree.length <= known_length * (1. + 1e-9));
+    CHECK(solution.tree.length >= optimum * (1. - 1e-9));
+    CHECK(solution.lower_bound <= optimum * (1. + 1e-9));
+    CHECK(states == 0 || solution.is_optimal);
+    CHECK(!solution.is_optimal || are_equal(solution.tree.length, optimum));
+  }
+}
+
 const Core::Method heuristics[] = {
   Core::Method::metric_closure, Core::Method::shortest_path_heuristic, Core::Method::greedy_auxiliary_points,
   Core::Method::greedy_auxiliary_points_and_shortest_paths, Core::Method::local_search};
@@ -82,6 +109,8 @@ inline void check_all_methods(const Core::Csr_graph& graph, const std::vector<in
   CHECK(solution.tree.length >= optimum * (1. - 1e-9));
   CHECK(solution.lower_bound <= optimum * (1. + 1e-9));
   CHECK(!solution.is_optimal || are_equal(solution.tree.length, optimum));
+  check_known_tree(graph, terminals, solve(graph, terminals, Core::Method::metric_closure).tree.edges, optimum);
+  check_known_tree(graph, terminals, all_edges(graph), optimum);
   // where there are too many terminals for the exact solver, near points find a tree
   options.maximum_number_of_terminals = 0;
   options.maximum_number_of_states = 10000;

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
@@ -64,10 +65,11 @@ public:
       m_part_of_node[m_surface.nodes[m_chart.source(h)]] = m_connected.part[h / 3];
   }
 
-  // `options` and `go_further` are those of the Steiner tree solver.
+  // `options` and `go_further` are those of the Steiner tree solver, which begins with the known cut where that connects
+  // a part.
   template <typename ConcurrencyTag>
   Connected_cut connect(const std::vector<int>& terminals, const Options& options,
-                        const Go_further& go_further)
+                        const Go_further& go_further, const Cut& known)
   {
     m_result.status = check_disks_can_be_reached(m_mesh, m_constraints);
     if(m_result.status)
@@ -80,8 +82,8 @@ public:
     if(!m_result.status)
       return m_result;
     for(const Part& part : parts)
-      add_tree(part, CGAL::internal::Steiner_tree::solve<ConcurrencyTag>(part.graph, part.terminals,
-                                                                         options, go_further));
+      add_tree(part, CGAL::internal::Steiner_tree::solve<ConcurrencyTag>(part.graph, part.terminals, options, go_further,
+                                                                         connecting_edges(part, known)));
     lengthen_short_borders();
     return m_result;
   }
@@ -184,6 +186,25 @@ private:
     return int(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
   }
 
+  // Those of the cut in a part if they connect its terminals.
+  std::vector<int> connecting_edges(const Part& part, const Cut& cut) const
+  {
+    std::vector<int> result;
+    if(cut.empty() || part.terminals.empty())
+      return result;
+    CGAL::internal::Graph_kernel::Disjoint_sets connected(part.graph.number_of_vertices());
+    for(int e = 0; e < part.graph.number_of_edges(); ++e)
+      if(cut[m_mesh.edge(halfedge(part.edges[e]))])
+      {
+        result.push_back(e);
+        connected.unite(part.graph.edges[e].source, part.graph.edges[e].target);
+      }
+    const auto is_connected = [&](int t) { return connected.find(t) == connected.find(part.terminals.front()); };
+    if(!std::all_of(part.terminals.begin(), part.terminals.end(), is_connected))
+      result.clear();
+    return result;
+  }
+
   void add_tree(const Part& part, const CGAL::internal::Steiner_tree::Solution& solution)
   {
     if(solution.outcome == Outcome::budget_exceeded && solution.tree.edges.empty())
@@ -251,14 +272,14 @@ private:
 
 // Adds the edges of least weight to the mandatory ones that connect, within each part, all borders
 // and all given vertices; a closed part needs two vertices. A part that is a disk without vertices
-// to connect stays as it is.
+// to connect stays as it is. A known cut that connects the vertices saves much time if it is short.
 template <typename ConcurrencyTag>
 Connected_cut connect_terminals(const Indexed_mesh& mesh, const Edge_constraints& constraints,
                                const std::vector<int>& terminals,
                                const CGAL::internal::Steiner_tree::Options& options,
-                               const Go_further& go_further)
+                               const Go_further& go_further, const Cut& known = Cut())
 {
-  return Terminal_connector(mesh, constraints).connect<ConcurrencyTag>(terminals, options, go_further);
+  return Terminal_connector(mesh, constraints).connect<ConcurrencyTag>(terminals, options, go_further, known);
 }
 
 } // namespace internal

@@ -88,7 +88,8 @@ public:
 
   void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
-    m_tree = connect_terminals<ConcurrencyTag>(m_problem.mesh, m_problem.constraints, m_features, options, m_context.control);
+    m_tree = connect_terminals<ConcurrencyTag>(m_problem.mesh, m_problem.constraints, m_features, options, m_context.control,
+                                               cut());
     m_is_connected = true;
     m_cost = cut_cost(m_problem.constraints, m_tree.cut);
   }

@@ -28,7 +28,8 @@ namespace Steiner_tree {
 
 // Finds a shortest tree: heuristics and dual ascent from both sides, which remove what no shorter tree can use, and
 // the pruned dynamic program on what is left. Without proof after `maximum_number_of_states`, the best tree found.
-// All terminals must be in one component.
+// All terminals must be in one component. Edges that connect them and are known to form a short tree take the place of
+// the heuristics, and of most of their time.
 template <typename ConcurrencyTag>
 class Exact_solver
 {
@@ -39,10 +40,12 @@ class Exact_solver
 
 public:
   Exact_solver(const Csr_graph& graph, const std::vector<int>& terminals, std::size_t maximum_number_of_states,
-               const Go_further& go_further)
+               const Go_further& go_further, const std::vector<int>& known = {})
     : m_maximum_number_of_states(maximum_number_of_states), m_go_further(go_further), m_instance(graph, terminals)
   {
-    if(graph.number_of_vertices() > large_number_of_vertices)
+    if(!known.empty())
+      m_instance.improve(make_tree(graph, terminals, known));
+    else if(graph.number_of_vertices() > large_number_of_vertices)
       bound_from_both_sides(graph, terminals);
     else {
       m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));

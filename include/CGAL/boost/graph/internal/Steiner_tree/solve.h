@@ -112,10 +112,10 @@ Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals
 }
 
 // connects the terminals, which must be different vertices. `go_further()` is asked between steps; false cancels.
-// Weights must be finite and not negative.
+// Weights must be finite and not negative. The exact method begins with the edges of a `known` tree, if one is given.
 template <typename ConcurrencyTag>
 Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-               const Go_further& go_further)
+               const Go_further& go_further, const std::vector<int>& known = {})
 {
   Solution solution;
   if(!are_connected(graph, terminals)) {
@@ -147,7 +147,7 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
         tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further);
       break;
     }
-    const Exact_solver<ConcurrencyTag> solver(graph, terminals, options.maximum_number_of_states, go_further);
+    const Exact_solver<ConcurrencyTag> solver(graph, terminals, options.maximum_number_of_states, go_further, known);
     solution.tree = solver.tree();
     solution.lower_bound = solver.lower_bound();
     solution.is_optimal = solver.is_optimal();
