@@ -130,6 +130,12 @@ class Room(Case):
                 self.assertFalse(is_crossing)
                 self.assertLessEqual(report["E_iso"], bound)
 
+    def test_work_for_room_belongs_to_a_phase(self):
+        self.write("a.off", to_off(plate(2)))
+        report, _ = self.unwrapped("--threads", 1, "--max-distortion", 4.1)
+        unknowns = dict(report["factorized_unknowns"])
+        self.assertEqual(unknowns.pop("total"), sum(unknowns.values()))
+
 
 if __name__ == "__main__":
     main()

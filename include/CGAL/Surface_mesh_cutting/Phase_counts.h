@@ -25,7 +25,7 @@ struct Phase_counts
   long long candidates = 0;   ///< handles, first cuts, conformal maps, candidates
   long long filter = 0;       ///< selection among the candidates
   long long connect = 0;      ///< the tree through the feature points
-  long long refine = 0;       ///< repair and shortening of the connected cut
+  long long refine = 0;       ///< repair and shortening of the connected cut, and room at a bound
   long long parameterize = 0; ///< the final UVs
   long long total = 0;        ///< everything, including work outside of these phases
 };

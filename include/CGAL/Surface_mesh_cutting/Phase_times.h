@@ -26,7 +26,7 @@ struct Phase_times
   double candidates = 0;   ///< handles, first cuts, conformal maps, candidates
   double filter = 0;       ///< selection among the candidates
   double connect = 0;      ///< the tree through the feature points
-  double refine = 0;       ///< repair and shortening of the connected cut
+  double refine = 0;       ///< repair and shortening of the connected cut, and room at a bound
   double parameterize = 0; ///< the final UVs
   double total = 0;        ///< everything, including work outside of these phases
 };

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -245,7 +246,7 @@ private:
     const double cost_with_overlaps = result.cost;
     const Open_chart& running = refiner.cut().chart();
     Component_result rearranged = result;
-    if(const auto other = m_parameterizer.reglue(running, m_parameters.maximum_average_distortion, rearranged))
+    if(const auto other = reglue(running, rearranged))
       relieve(*other, rearranged);
     if(!keeps_bound(rearranged) || rearranged.cost > (1 + little) * cost_with_overlaps)
     {
@@ -266,9 +267,16 @@ private:
   bool keeps_bound(const Component_result& result) const
   { return result.has_map && result.energy <= m_parameters.maximum_average_distortion; }
 
+  std::optional<Open_chart> reglue(const Open_chart& overlapping, Component_result& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    return m_parameterizer.reglue(overlapping, m_parameters.maximum_average_distortion, result);
+  }
+
   // By slits where room is missing; whether they are worth moving ends, the effort says.
   void relieve(const Open_chart& overlapping, Component_result& result) const
   {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
     const double bound = m_parameters.maximum_average_distortion;
     Component_result relieved = result;
     m_parameterizer.relieve(overlapping, bound, relieved);
@@ -283,6 +291,7 @@ private:
   {
     const double bound = m_parameters.maximum_average_distortion;
     tighten(refiner, repair_threshold, result);
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
     m_parameterizer.relieve(refiner.cut().chart(), bound, result);
     if(refiner.cut().chart().energy > bound)
       return;
