@@ -22,6 +22,7 @@
 #include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
@@ -39,6 +40,18 @@ template <typename ConcurrencyTag>
 constexpr Execution execution_of()
 {
   return std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? Execution::PARALLEL : Execution::SEQUENTIAL;
+}
+
+// How many threads a loop may use here.
+inline int number_of_threads(Execution execution)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(execution == Execution::PARALLEL)
+    return (std::min)(tbb::this_task_arena::max_concurrency(),
+                      int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
+#endif
+  (void)execution;
+  return 1;
 }
 
 // Calls `f`, within which a thread that waits for others does not take up work from outside, such as a whole

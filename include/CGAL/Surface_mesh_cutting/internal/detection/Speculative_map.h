@@ -16,7 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <algorithm>
 #include <atomic>
@@ -28,6 +29,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::execution_of;
 
 // A running map to which slits are proposed one after the other. Most are rejected, which leaves the map
 // as it is; so, with several threads, further ones are tried meanwhile on copies of the map, as if those
@@ -68,7 +71,7 @@ public:
     std::fill(m_trials.begin(), m_trials.end(), none);
     int number_of_trials = 0;
     std::mutex mutex;
-    for_each_index_in_isolation<ConcurrencyTag>(int(m_copies.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(m_copies.size()), [&](int i)
     {
       const auto next = [&]
       {
@@ -94,7 +97,10 @@ public:
 private:
   // More would bring little: the map must converge after each accepted slit before the next one can be
   // tried.
-  static std::size_t number_of_copies() { return std::size_t((std::min)(number_of_threads<ConcurrencyTag>(), 4)); }
+  static std::size_t number_of_copies()
+  {
+    return std::size_t((std::min)(number_of_threads(execution_of<ConcurrencyTag>()), 4));
+  }
 
   // How many slits are tried per call: more than there are threads, since some are rejected long before
   // others.

@@ -183,13 +183,16 @@ private:
                                                  reach * total_length(m_mesh, part.edges));
     for(Slit& far : m_slits.proposals(m_cut.cut(), m_cut.map().vertex_distortion(), is_excluded, number_of_far_ends))
       slits.push_back(std::move(far));
-    const double factor = gain_over_estimate(part, former_energy);
+    slits.push_back({part.tip, part.edges});
+    estimate_gains(m_cut.map(), slits);
+    const double factor = gain_over_estimate(slits.back().gain, former_energy);
+    slits.pop_back();
     const double least = ideal + least_energy * (former_energy - ideal);
     Slit best;
     double best_cost = m_cost_at_bound(m_cut.cost(), m_cut.running_energy());
     for(Slit& slit : slits)
     {
-      slit.gain = factor * m_cut.map().estimate_gain(slit.edges);
+      slit.gain *= factor;
       const double cost = m_cost_at_bound(m_cut.cost() + slit.cost, (std::max)(least, m_cut.running_energy() - slit.gain));
       if(cost < best_cost)
       {
@@ -200,11 +203,10 @@ private:
     return best_cost < m_cost_at_bound(m_cut.cost() + part.cost, former_energy) ? best : Slit();
   }
 
-  // What opening the part again would gain is known.
-  double gain_over_estimate(const Branch_removal& part, double former_energy)
+  // What opening the closed part again would gain is known.
+  double gain_over_estimate(double estimate, double former_energy) const
   {
     constexpr double least = 0.8, largest = 3;
-    const double estimate = m_cut.map().estimate_gain(part.edges);
     if(!(estimate > 0))
       return 1;
     return (std::min)((std::max)((m_cut.running_energy() - former_energy) / estimate, least), largest);

@@ -217,8 +217,9 @@ private:
   static std::vector<Slit> best_of(std::vector<Slit> slits, std::size_t number, double enough,
                                    Incremental_parameterization& map)
   {
+    estimate_gains(map, slits);
     for(Slit& slit : slits)
-      slit.gain = (std::min)(map.estimate_gain(slit.edges), enough);
+      slit.gain = (std::min)(slit.gain, enough);
     CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return -slit.gain_per_cost(); });
     slits.resize((std::min)(slits.size(), number));
     return slits;

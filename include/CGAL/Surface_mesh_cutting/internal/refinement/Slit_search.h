@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Leaf_branches.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/estimate_gains.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
@@ -31,19 +32,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// A path from a vertex inside the surface to the cut, and about what opening it would gain.
-struct Slit
-{
-  int tip = -1;
-  std::vector<int> edges;
-  double cost = 0, gain = 0;
-
-  double gain_per_cost() const
-  {
-    return cost > 0 ? gain / cost : gain > 0 ? std::numeric_limits<double>::infinity() : 0;
-  }
-};
 
 // Looks for the slit that lowers the distortion most for its cost. Promising are ends where the
 // distortion is large and the cut is far: there is distortion all along the way. The few most
@@ -60,13 +48,12 @@ public:
   Slit best(Incremental_parameterization& map, const std::vector<char>& is_excluded)
   {
     constexpr std::size_t number_of_trials = 12; // each costs the solve of a window
+    std::vector<Slit> slits = proposals(map.cut(), map.vertex_distortion(), is_excluded, number_of_trials);
+    estimate_gains(map, slits);
     Slit best;
-    for(Slit& slit : proposals(map.cut(), map.vertex_distortion(), is_excluded, number_of_trials))
-    {
-      slit.gain = map.estimate_gain(slit.edges);
+    for(Slit& slit : slits)
       if(slit.gain_per_cost() > best.gain_per_cost())
         best = std::move(slit);
-    }
     return best;
   }
 
@@ -106,12 +93,14 @@ public:
   Slit best_end(Incremental_parameterization& map, int tip, double reach, double energy_per_cost)
   {
     measure_distances(map.cut());
+    std::vector<Slit> slits;
+    for(int end : ends_around(tip, reach))
+      slits.push_back(slit_from(end));
+    estimate_gains(map, slits);
     Slit best;
     double best_value = 0;
-    for(int end : ends_around(tip, reach))
+    for(Slit& slit : slits)
     {
-      Slit slit = slit_from(end);
-      slit.gain = map.estimate_gain(slit.edges);
       const double value = slit.gain - energy_per_cost * slit.cost;
       if(value > best_value)
       {

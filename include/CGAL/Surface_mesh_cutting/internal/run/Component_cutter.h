@@ -14,13 +14,14 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,6 +32,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::execution_of;
 
 // The whole method for one connected surface (paper, Section 3): handles, features, connection and,
 // on request, refinement and UVs. The features of a large surface are found on a coarser version
@@ -137,14 +140,14 @@ private:
     for(const Cutting_parameters& parameters : further)
       runs.emplace_back(m_problem, parameters, m_context);
     std::vector<Detected_features> detected(runs.size());
-    for_each_index_in_isolation<ConcurrencyTag>(int(runs.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(runs.size()), [&](int i)
     {
       if(m_context.control.go_further())
         detected[i] = runs[i].detect(0);
     });
     const std::vector<int> others = places_of_other_features(detected, done.features);
     std::vector<Component_result> found(others.size());
-    for_each_index_in_isolation<ConcurrencyTag>(int(others.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(others.size()), [&](int i)
     {
       const int place = others[i];
       if(m_context.control.go_further())

@@ -14,8 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
@@ -30,6 +31,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::execution_of;
 
 // Whether features come from several starts. A given cut, or the paper, says where to begin.
 inline bool searches(const Problem& problem, const Cutting_parameters& parameters)
@@ -59,7 +62,7 @@ public:
   Detected_features run(int first_start)
   {
     std::vector<Found> found(m_parameters.number_of_starts);
-    for_each_index_in_isolation<ConcurrencyTag>(int(found.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(found.size()), [&](int i)
     {
       if(m_control.go_further())
         found[i] = find(first_start + i, i);
@@ -196,7 +199,7 @@ private:
     const int number_of_finalists = (std::min)(is_bounded ? finalists_with_bound : 1, int(found.size()));
     std::vector<Refiner> refiners(number_of_finalists, Refiner(m_problem, m_context));
     std::vector<Found> finalists(number_of_finalists);
-    for_each_index_in_isolation<ConcurrencyTag>(number_of_finalists, [&](int i)
+    execute(execution_of<ConcurrencyTag>(), number_of_finalists, [&](int i)
     {
       if(found[i].cost < infinity)
         finalists[i] = refined(refiners[i], found[i].detected.features,

@@ -14,9 +14,10 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
 
@@ -29,6 +30,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::execution_of;
 
 // Of those that were detected: where each set of features comes first, without the known ones.
 inline std::vector<int> places_of_other_features(const std::vector<Detected_features>& detected,
@@ -88,7 +91,7 @@ public:
       costs.push_back(expected_cost(start));
     const std::vector<int> order = CGAL::internal::Graph_kernel::ascending_places(costs);
     std::vector<Component_result> results((std::min)(int(order.size()), number_of_finalists));
-    for_each_index_in_isolation<ConcurrencyTag>(int(results.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(results.size()), [&](int i)
     {
       if(i == 0 || m_context.control.go_further())
         results[i] = runs[order[i]].finished(std::move(starts[order[i]]));
@@ -146,9 +149,9 @@ private:
     };
     detect(0);
     prepare(0);
-    for_each_index_in_isolation<ConcurrencyTag>(int(runs.size()) - 1, [&](int i) { detect(i + 1); });
+    execute(execution_of<ConcurrencyTag>(), int(runs.size()) - 1, [&](int i) { detect(i + 1); });
     const std::vector<int> others = places_of_other_features(detected, {detected[0].features});
-    for_each_index_in_isolation<ConcurrencyTag>(int(others.size()), [&](int i) { prepare(others[i]); });
+    execute(execution_of<ConcurrencyTag>(), int(others.size()), [&](int i) { prepare(others[i]); });
     return starts;
   }
 

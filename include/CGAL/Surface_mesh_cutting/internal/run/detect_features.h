@@ -16,10 +16,11 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_disk.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Local_filter.h>
-#include <CGAL/Surface_mesh_cutting/internal/detection/threads.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
@@ -31,6 +32,8 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using Surface_mesh_parameterization::internal::execution_of;
 
 // The features of a surface without handles (paper, Section 3.1), from the given start.
 // On a surface that is opened to a disk, on a coarser version of that disk.
@@ -117,7 +120,7 @@ Detected_features cheapest_features_of_starts(const Problem& problem, int first_
     return rough_features<ConcurrencyTag>(problem, still_coarser, first_start + 1,
                                           Context{parameters, context.control, context.clock});
   };
-  for_each_index_in_isolation<ConcurrencyTag>(int(starts.size()), [&](int i)
+  execute(execution_of<ConcurrencyTag>(), int(starts.size()), [&](int i)
   {
     found[i] = i > 0 ? found_with(without_moved_ends(starts[i]))
                      : coarse_features<ConcurrencyTag>(problem, first_start,
