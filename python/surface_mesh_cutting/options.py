@@ -110,7 +110,7 @@ class CuttingOptions(ConnectionOptions, total=False):
         The decrease of the energy that makes a candidate a feature point. Default: 0.01.
     minimum_length_decrease : float
         The decrease of the length, in bounding box diagonals, that makes an auxiliary point worth adding, with
-        ``faithful=True`` only. Default: 0.01.
+        ``faithful=True`` only; a tenth of it is the least of a cut whose removal is worth another map. Default: 0.01.
     minimum_area_ratio : float
         The share of the area that must lie far from the first cut and its maximizers. Default: 0.1.
     influence_threshold : float

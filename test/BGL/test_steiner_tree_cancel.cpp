@@ -47,5 +47,19 @@ int main()
     bound = solution.lower_bound;
   }
   CHECK(bound > 0.);
+
+  // A path between two vertices is a shortest one, unless it is known from elsewhere.
+  const std::vector<int> ends = {0, graph.number_of_vertices() - 1};
+  const std::vector<int> detour = solve(graph, {ends[0], graph.number_of_vertices() / 2, ends[1]}, Core::Method::exact).tree.edges;
+  const double shortest = solve(graph, ends, Core::Method::exact).tree.length;
+  CHECK(Core::total_weight(graph, detour) > 1.01 * shortest);
+  const auto stopped = [](const Core::Csr_graph& g, const std::vector<int>& t, const std::vector<int>& known_edges) {
+    return Core::solve<CGAL::Sequential_tag>(g, t, Core::Options(), [] { return false; }, known_edges);
+  };
+  const Core::Solution path = stopped(graph, ends, {});
+  CHECK(path.outcome == Core::Outcome::done && path.is_optimal && are_equal(path.tree.length, shortest));
+  const Core::Solution known_path = stopped(graph, ends, detour);
+  CHECK(known_path.outcome == Core::Outcome::cancelled && !known_path.is_optimal);
+  CHECK(known_path.lower_bound <= shortest * (1. + 1e-9));
   return EXIT_SUCCESS;
 }

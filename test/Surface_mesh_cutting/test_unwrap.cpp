@@ -246,6 +246,8 @@ void test_methods()
     }
   }
   check(exact <= shortest * (1 + 1e-12), "the exact tree is the shortest");
+  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::connection(SMC::Connection::EXACT))),
+        "refinement leaves the shortest tree, whose proof is complete");
   check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::use_published_method(true))), "faithful");
   check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::effort(SMC::Effort::BEST))), "best");
 
@@ -290,8 +292,9 @@ void test_refusals()
     check(code_of(test::bumpy_sphere(10), CGAL::parameters::visitor(std::ref(visitor))) == Status_code::STOPPED,
           "visitor");
   }
-  check(code_of(test::bumpy_sphere(10), CGAL::parameters::maximum_running_time(1e-9)) == Status_code::STOPPED,
-        "time limit");
+  for(double seconds : {1e-9, -1., std::numeric_limits<double>::quiet_NaN()})
+    check(code_of(test::bumpy_sphere(10), CGAL::parameters::maximum_running_time(seconds)) == Status_code::STOPPED,
+          "time limit");
 }
 
 int main()

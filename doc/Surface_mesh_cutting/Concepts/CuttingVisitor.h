@@ -2,9 +2,8 @@
 \ingroup PkgSurfaceMeshCuttingConcepts
 \cgalConcept
 
-The concept `CuttingVisitor` describes the requirements for the named parameter `visitor` of
-`CGAL::Surface_mesh_cutting::greedy_cut()`, `CGAL::Surface_mesh_cutting::unwrap()`,
-`CGAL::Surface_mesh_cutting::detect_feature_points()` and `CGAL::Surface_mesh_cutting::connect_points()`. A visitor
+The concept `CuttingVisitor` describes the requirements for the named parameter `visitor` of all functions of this package
+that take one, such as `CGAL::Surface_mesh_cutting::greedy_cut()` and `CGAL::Surface_mesh_cutting::unwrap()`. A visitor
 follows the progress of a run and can end it. These functions copy it unless it is passed by `std::ref`.
 
 \cgalHasModelsBegin
@@ -19,6 +18,7 @@ public:
   bool go_further();
 
   /// is called when `fraction`, a number from 0 to 1, of a phase is done.
-  /// `CGAL::Surface_mesh_cutting::connect_points()` does not call it.
+  /// `CGAL::Surface_mesh_cutting::connect_points()`, `CGAL::Surface_mesh_cutting::cut_handles()` and
+  /// `CGAL::Surface_mesh_cutting::visibility_weights()` do not call it.
   void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction);
 };

@@ -197,7 +197,7 @@ void add_method_options(CLI::App& app, Options& options)
   const std::string group = "Method";
   constexpr double largest = 1e9, ideal = 4;
   app.add_option("--effort", options.effort,
-                 "How hard to look for a short cut: fast does not shorten\nit, default tries a few starts, best many more and\n"
+                 "How hard to look for a short cut: fast does not shorten\nit without a bound, default tries a few starts, best\nmany more and "
                  "combinations of them")
     ->check(CLI::IsMember({"fast", "default", "best"}))->default_str(options.effort)->group(group);
   app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
@@ -222,7 +222,7 @@ void add_method_options(CLI::App& app, Options& options)
     ->type_name("X")->default_str("0.01")->group(group);
   add_number<double>(app, "--eps-len", options.eps_len,
                      "Decrease of the length, in bounding box diagonals, that\njustifies an auxiliary point "
-                     "(greedy with --faithful)", 0, largest)
+                     "(greedy with --faithful); a\ntenth of it, the removal of a piece of the cut", 0, largest)
     ->type_name("X")->default_str("0.01")->group(group);
   add_number<double>(app, "--alpha", options.alpha,
                      "Least share of the area far from the first cut", 0, 1)

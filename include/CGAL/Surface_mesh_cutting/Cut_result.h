@@ -70,7 +70,7 @@ struct Cut_result
   Phase_times cpu_seconds; ///< processor time of all threads.
   /// the sum, over all numeric factorizations of linear systems, of their numbers of unknowns, which does not depend on
   /// the machine. One factorization for a map of the whole surface counts about two per vertex. With `Parallel_tag`,
-  /// more may be tried at a time and then be discarded, and the phases of different components overlap.
+  /// more may be tried at a time and then be discarded, and the phases of different components and starts overlap.
   Phase_counts factorized_unknowns;
 
   /// `true` iff everything requested was computed.

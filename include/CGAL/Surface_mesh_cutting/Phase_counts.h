@@ -25,8 +25,8 @@ struct Phase_counts
   long long candidates = 0;   ///< handles, first cuts, conformal maps, candidates
   long long filter = 0;       ///< selection among the candidates
   long long connect = 0;      ///< the tree through the feature points
-  long long refine = 0;       ///< repair and shortening of the connected cut, and room at a bound
-  long long parameterize = 0; ///< the final UVs
+  long long refine = 0;       ///< repair and shortening of the connected cut
+  long long parameterize = 0; ///< the final UVs, and room for them where parts of a chart are in each other's way
   long long total = 0;        ///< everything, including work outside of these phases
 };
 

@@ -19,14 +19,14 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// the phases of a run, in order.
+/// the phases of a run, in order. Each component goes through them, with several starts more than once.
 enum class Phase
 {
   CANDIDATES,  ///< handles, first cuts, conformal maps, candidates for feature points
   FILTER,      ///< the selection among the candidates
   CONNECT,     ///< the tree through the feature points
   REFINE,      ///< repair and shortening of the connected cut
-  PARAMETERIZE, ///< the final UVs
+  PARAMETERIZE, ///< the final UVs, and room for them where parts of a chart are in each other's way
   PACK          ///< the places of the charts in the unit square, for `pack_charts()`
 };
 

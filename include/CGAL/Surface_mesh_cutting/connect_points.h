@@ -112,7 +112,7 @@ struct Connection_result
 ///
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{the time in seconds after which the run ends with
-///                           `Status_code::STOPPED`; 0 means no limit}
+///                           `Status_code::STOPPED`; 0 means no limit, less than 0 that it has passed}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd

@@ -89,7 +89,8 @@ struct Handles_result
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
-///     \cgalParamDescription{the time in seconds after which the run ends with `Status_code::STOPPED`; 0 means no limit}
+///     \cgalParamDescription{the time in seconds after which the run ends with `Status_code::STOPPED`; 0 means no limit,
+///                           less than 0 that it has passed}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd

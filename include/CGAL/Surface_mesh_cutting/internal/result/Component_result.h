@@ -36,6 +36,7 @@ struct Component_result
   double length = 0, cost = 0, lower_bound = 0;
   double cost_of_room = 0; // the part of the cost without which the map would miss a bound, or overlap
   bool is_optimal = false;
+  bool is_tree_proven = false; // shortest through its points: the tree that the cut, if refined, was made from
   Corner_table chart;
   std::vector<Eigen::Vector2d> uv;
   double energy = 0;

@@ -76,7 +76,6 @@ public:
     }
     if(!result.has_map || m_context.control.is_stopped())
       result.status = failure(m_context.control);
-    m_context.control.report(Phase::PARAMETERIZE, 1);
   }
 
   // What is known of `edges`, a cut made from a working one.
@@ -92,7 +91,8 @@ public:
     result.lower_bound = mandatory_length();
     if(cut.is_connected() && !m_problem.is_opened) // of whose opening no length is proven
       result.lower_bound += tree.lower_bound;
-    result.is_optimal = !m_problem.is_opened && cut.is_connected() && tree.is_optimal && edges == tree.cut;
+    result.is_tree_proven = !m_problem.is_opened && tree.is_optimal;
+    result.is_optimal = result.is_tree_proven && cut.is_connected() && edges == tree.cut;
     result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
   }
 

@@ -231,9 +231,9 @@ private:
     result.cost += part.cost;
     result.lower_bound += part.lower_bound;
     result.is_optimal = result.is_optimal && part.is_optimal;
-    if(m_context.parameters.needs_optimal_tree && !part.is_optimal)
+    if(m_context.parameters.needs_optimal_tree && !part.is_tree_proven && result.status)
       result.status = Indexed_status(Status_code::BOUND_NOT_REACHED,
-                                     "the cut is not proven shortest within the budget");
+                                     "the tree through the points is not proven shortest within the budget");
     if(output == Output_kind::MAP)
       add_map(component, std::move(part), result);
     return true;

@@ -36,6 +36,7 @@ class Start_run
   using Refiner = Cut_refiner<ConcurrencyTag>;
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
+  static constexpr double share_before_longer_cuts = 0.5; // of the work for room, to show
 
 public:
   // The references are kept, but that to the parameters of the context: `parameters`, adapted to the size of the surface,
@@ -113,7 +114,6 @@ public:
     Refinement_goal goal = this->goal(start.repair_threshold, start.is_refined ? 0 : number_of_solves());
     goal.is_prepared = start.is_prepared;
     refine_and_parameterize(*start.refiner, goal, start.result);
-    make_room(*start.refiner, start.repair_threshold, start.result);
     start.result.add(start.refiner->cut().trade_offs());
     start.result.keep_undominated_trade_offs();
     return std::move(start.result);
@@ -131,7 +131,9 @@ public:
     if(!refiner.start(given.cut))
       return results;
     Component_result completed, shortened;
+    m_control.report(Phase::PARAMETERIZE, 0);
     m_parameterizer(refiner.cut(), completed);
+    m_control.report(Phase::PARAMETERIZE, 1);
     say_if_missed(completed);
     if(completed.has_map)
       results.push_back(std::move(completed));
@@ -139,7 +141,6 @@ public:
       return results;
     const double repair_threshold = refiner.cut().energy() + m_parameters.minimum_distortion_decrease;
     refine_and_parameterize(refiner, goal(repair_threshold, number_of_solves()), shortened);
-    make_room(refiner, repair_threshold, shortened);
     if(shortened.has_map)
       results.push_back(std::move(shortened));
     return results;
@@ -205,7 +206,6 @@ private:
   bool map(Refiner& refiner, Component_result& result) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    m_control.report(Phase::PARAMETERIZE, 0);
     // At full resolution a second solve costs more than the precision that refinement does not need.
     if(refines() ? refiner.map() : refiner.map(mapping_policy(m_parameters).final_precision))
       return true;
@@ -248,6 +248,7 @@ private:
     Component_result rearranged = result;
     if(const auto other = reglue(running, rearranged))
       relieve(*other, rearranged);
+    m_control.report(Phase::PARAMETERIZE, share_before_longer_cuts);
     if(!keeps_bound(rearranged) || rearranged.cost > (1 + little) * cost_with_overlaps)
     {
       if(m_parameters.opens_slits_first)
@@ -269,14 +270,14 @@ private:
 
   std::optional<Open_chart> reglue(const Open_chart& overlapping, Component_result& result) const
   {
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     return m_parameterizer.reglue(overlapping, m_parameters.maximum_average_distortion, result);
   }
 
   // By slits where room is missing; whether they are worth moving ends, the effort says.
   void relieve(const Open_chart& overlapping, Component_result& result) const
   {
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     const double bound = m_parameters.maximum_average_distortion;
     Component_result relieved = result;
     m_parameterizer.relieve(overlapping, bound, relieved);
@@ -291,7 +292,7 @@ private:
   {
     const double bound = m_parameters.maximum_average_distortion;
     tighten(refiner, repair_threshold, result);
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     m_parameterizer.relieve(refiner.cut().chart(), bound, result);
     if(refiner.cut().chart().energy > bound)
       return;
@@ -321,7 +322,10 @@ private:
       refine(refiner, goal, m_parameters);
       m_control.report(Phase::REFINE, 1);
     }
+    m_control.report(Phase::PARAMETERIZE, 0);
     m_parameterizer(refiner.cut(), result);
+    make_room(refiner, goal.repair_threshold, result);
+    m_control.report(Phase::PARAMETERIZE, 1);
   }
 
   // Looks for the shortest cut whose bijective map keeps the bound: bisection over what is asked of
@@ -345,7 +349,12 @@ private:
         return;
       Refiner refiner = start;
       Component_result result = best;
-      refine_and_parameterize(refiner, {target, repair_threshold, solves}, result);
+      {
+        const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+        refine(refiner, {target, repair_threshold, solves}, m_parameters);
+      }
+      m_parameterizer(refiner.cut(), result);
+      m_control.report(Phase::PARAMETERIZE, share_before_longer_cuts * (1 + double(round) / maximum_number_of_rounds));
       number_of_solved_faces += double(refiner.cut().trade_offs().size()) * m_problem.mesh.number_of_faces();
       result.add(refiner.cut().trade_offs());
       const bool is_kept = keeps_bound(result);

@@ -31,8 +31,8 @@ template <typename NamedParameters>
 using Visitor_reference
   = typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
 
-// Calls the visitor, and ends the run once `maximum_running_time` has passed. The time starts here:
-// each call makes its control before it does anything else.
+// Calls the visitor, and ends the run once `maximum_running_time` has passed, unless that is 0. What is negative, or not a
+// number, has passed. The time starts here: each call makes its control before it does anything else.
 template <typename Visitor, typename NamedParameters>
 Run_control read_run_control(Visitor& visitor, const NamedParameters& np)
 {
@@ -43,7 +43,7 @@ Run_control read_run_control(Visitor& visitor, const NamedParameters& np)
     [&visitor, start, seconds]
     {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-      return visitor.go_further() && !(seconds > 0 && elapsed.count() > seconds);
+      return visitor.go_further() && (seconds == 0 || elapsed.count() <= seconds);
     },
     [&visitor](Phase phase, double fraction) { visitor.progress(phase, fraction); });
 }

@@ -155,8 +155,10 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
       solution.outcome = Outcome::budget_exceeded;
     break;
   }
-  if(terminals.size() == 2)
-    solution.is_optimal = true; // all methods end with a shortest path then
+  if(terminals.size() == 2 && known.empty()) {
+    solution.is_optimal = true; // all methods begin with a shortest path then
+    solution.outcome = Outcome::done;
+  }
   if(solution.is_optimal)
     solution.lower_bound = solution.tree.length;
   else if(!go_further())
