@@ -227,7 +227,7 @@ void test_distortion_tree(CGAL::Random& random)
 void test_moved_ends()
 {
   constexpr double bound = 4.1;
-  Mesh mesh = star(16);
+  Mesh mesh = star(18);
   Maps fast(mesh, "fast"), moved(mesh, "moved");
   const auto np = CGAL::parameters::maximum_average_distortion(bound);
   const auto first = SMC::unwrap(mesh, fast.is_cut, fast.uv, np.effort(SMC::Effort::FAST));
@@ -235,7 +235,7 @@ void test_moved_ends()
   std::cout << "moved ends: length " << first.cut_length << " -> " << second.cut_length << std::endl;
   check(bool(second) && bool(SMC::certify_unwrap(mesh, moved.is_cut, moved.uv)), "moved ends");
   check(measure(mesh, moved) <= bound + 1e-12, "the bound holds with moved ends");
-  check(second.cut_length < 0.97 * first.cut_length, "moved ends make a cut shorter");
+  check(second.cut_length < 0.95 * first.cut_length, "moved ends make a cut shorter");
   check_trade_offs(second);
 }
 

@@ -8,7 +8,8 @@ from support import Case, joined, main, sphere, to_off, torus
 
 MESHES = Path(os.environ.get("CGAL_DATA_DIR", "")) / "meshes"
 FILES = [MESHES / f"{name}.off" for name in ("blob", "eight", "dragknob")]
-OPTIONS = [["--effort", "fast"], ["--effort", "default"], ["--max-distortion", "4.2"], ["--faithful"]]
+OPTIONS = [["--effort", "fast"], ["--effort", "default"], ["--bijective"], ["--faithful"],
+           ["--max-distortion", "4.2"]]
 CHANGING = ("seconds", "cpu_seconds", "factorized_unknowns", "threads", "peak_memory_mb")
 
 

@@ -21,8 +21,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <CGAL/assertions.h>
@@ -190,18 +190,12 @@ private:
   std::vector<int> connecting_edges(const Part& part, const Cut& cut) const
   {
     std::vector<int> result;
-    if(cut.empty() || part.terminals.empty())
+    const auto is_cut = [&](int e) { return cut[m_mesh.edge(halfedge(part.edges[e]))] != 0; };
+    if(cut.empty() || !CGAL::internal::Graph_kernel::are_connected(part.graph, part.terminals, is_cut))
       return result;
-    CGAL::internal::Graph_kernel::Disjoint_sets connected(part.graph.number_of_vertices());
     for(int e = 0; e < part.graph.number_of_edges(); ++e)
-      if(cut[m_mesh.edge(halfedge(part.edges[e]))])
-      {
+      if(is_cut(e))
         result.push_back(e);
-        connected.unite(part.graph.edges[e].source, part.graph.edges[e].target);
-      }
-    const auto is_connected = [&](int t) { return connected.find(t) == connected.find(part.terminals.front()); };
-    if(!std::all_of(part.terminals.begin(), part.terminals.end(), is_connected))
-      result.clear();
     return result;
   }
 

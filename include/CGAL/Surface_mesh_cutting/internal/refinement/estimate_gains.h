@@ -47,22 +47,21 @@ inline void estimate_gains(Incremental_parameterization& map, std::vector<Slit>&
   using Surface_mesh_parameterization::internal::Execution;
   constexpr int most_workers = 4; // each takes memory proportional to the surface
   std::atomic<int> next{0};
-  const auto estimate_with = [&](Incremental_parameterization& worker, int i)
+  const auto estimate_with = [&](Incremental_parameterization& worker)
   {
-    for(; i < int(slits.size()); i = next++)
+    for(int i = next++; i < int(slits.size()); i = next++)
       slits[i].gain = worker.estimate_gain(slits[i].edges);
   };
   const Execution execution = map.policy().linear_solvers.execution();
   const int workers = (std::min)({number_of_threads(execution), int(slits.size()), most_workers});
   if(workers < 2)
-    return estimate_with(map, next++);
+    return estimate_with(map);
   execute(execution, workers, [&](int)
   {
-    const int first = next++;
-    if(first >= int(slits.size())) // others were faster
+    if(next >= int(slits.size())) // others were faster
       return;
     Incremental_parameterization copy(map);
-    estimate_with(copy, first);
+    estimate_with(copy);
   });
 }
 

@@ -12,7 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Instance.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_programme.h>
@@ -27,8 +27,6 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
-
-using Graph_kernel::Disjoint_sets;
 
 // A Steiner tree problem, the best tree known, a lower bound, and an instance in which all shorter trees are left.
 // All terminals must be in one component.
@@ -153,7 +151,8 @@ private:
     std::vector<char> is_removed(graph().number_of_edges());
     for(int e = 0; e < graph().number_of_edges(); ++e)
       is_removed[e] = fixed + bounds[e] > cut();
-    if(m_lower_bound > cut() || !are_terminals_connected(is_removed))
+    const auto is_left = [&](int e) { return !is_removed[e]; };
+    if(m_lower_bound > cut() || !Graph_kernel::are_connected(graph(), terminals(), is_left))
       m_is_optimal = true;
     else if(is_worthwhile(is_removed))
       remove(is_removed, go_further);
@@ -177,17 +176,6 @@ private:
       return;
     improve(Tree{{}, 0.});
     m_is_optimal = true;
-  }
-
-  bool are_terminals_connected(const std::vector<char>& is_removed) const
-  {
-    Disjoint_sets components(graph().number_of_vertices());
-    for(int e = 0; e < graph().number_of_edges(); ++e)
-      if(!is_removed[e])
-        components.unite(graph().edges[e].source, graph().edges[e].target);
-    return std::all_of(terminals().begin(), terminals().end(), [&](int t) {
-      return components.find(t) == components.find(terminals().front());
-    });
   }
 
   template <int Words, typename ConcurrencyTag>

@@ -12,7 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
@@ -28,8 +28,6 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
-
-using Graph_kernel::Disjoint_sets;
 
 enum class Outcome
 {
@@ -47,16 +45,6 @@ struct Solution
   double lower_bound = 0.;
   bool is_optimal = false;
 };
-
-inline bool are_connected(const Csr_graph& graph, const std::vector<int>& terminals)
-{
-  Disjoint_sets components(graph.number_of_vertices());
-  for(const Edge& e : graph.edges)
-    components.unite(e.source, e.target);
-  return std::all_of(terminals.begin(), terminals.end(), [&](int t) {
-    return components.find(t) == components.find(terminals.front());
-  });
-}
 
 // vertices that branch the tree without being terminals
 inline std::vector<int> branch_vertices(const Csr_graph& graph, const std::vector<int>& terminals, const Tree& tree)
@@ -118,7 +106,7 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
                const Go_further& go_further, const std::vector<int>& known = {})
 {
   Solution solution;
-  if(!are_connected(graph, terminals)) {
+  if(!Graph_kernel::are_connected(graph, terminals, [](int) { return true; })) {
     solution.outcome = Outcome::terminals_not_connected;
     return solution;
   }
