@@ -1,6 +1,7 @@
 // Random openings of closed surfaces: the chart against a count from scratch, and closing bit for bit.
 
 #undef NDEBUG
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Random.h>
@@ -129,6 +130,30 @@ void check(const Corner_table& chart, const Corner_table& closed, const std::set
   assert(length == border);
 }
 
+// Each part alone is the same as among the others.
+void check_parts(const Corner_table& chart)
+{
+  const Connected_parts parts(chart.opposites());
+  int number_of_vertices = 0;
+  for(int part = 0; part < parts.number; ++part)
+  {
+    std::vector<int> triangles;
+    for(int t = 0; t < chart.number_of_triangles(); ++t)
+      if(parts.part[t] == part)
+        triangles.push_back(t);
+    const Corner_table alone = chart.part(triangles);
+    const auto halfedge = [&](int h) { return 3 * triangles[h / 3] + h % 3; };
+    assert(alone.number_of_triangles() == int(triangles.size()));
+    for(int h = 0; h < int(alone.opposites().size()); ++h)
+    {
+      assert(alone.origins()[alone.source(h)] == chart.origins()[chart.source(halfedge(h))]);
+      assert((alone.is_border(h) ? -1 : halfedge(alone.opposite(h))) == chart.opposite(halfedge(h)));
+    }
+    number_of_vertices += alone.number_of_vertices();
+  }
+  assert(number_of_vertices == chart.number_of_vertices());
+}
+
 // A walk along edges of the surface, which may cross itself and repeat edges.
 std::vector<int> random_path(const Corner_table& chart, int length, CGAL::Random& random)
 {
@@ -163,6 +188,11 @@ void test(const Corner_table& closed, CGAL::Random& random)
   Corner_table at_once = closed;
   at_once.open(std::vector<int>(open.begin(), open.end()));
   check(at_once, closed, open);
+  std::vector<int> many(closed.opposites().size() / 2);
+  for(int& h : many)
+    h = random.get_int(0, int(closed.opposites().size()));
+  at_once.open(many);
+  check_parts(at_once);
 
   while(!openings.empty())
   {

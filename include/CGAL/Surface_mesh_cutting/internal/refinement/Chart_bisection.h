@@ -21,12 +21,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,7 +39,7 @@ namespace internal {
 
 using Surface_mesh_parameterization::internal::Connected_parts;
 
-// A cheap path from border to border of a disk that separates two places where its flip-free map overlaps itself.
+// A cheap path from border to border of a disk that separates places where its flip-free map overlaps itself.
 class Chart_bisection
 {
   using Shortest_paths = CGAL::internal::Graph_kernel::Shortest_paths;
@@ -84,26 +87,64 @@ private:
     }
   }
 
-  // The pair is taken whose two arcs are most alike in length, so that a few steps separate all.
-  void separate(const std::vector<std::pair<int, int> >& crossings, const std::vector<int>& border)
+  // Of the paths that separate some of the pairs, from the pair whose two arcs are most alike in length to the one whose are
+  // least, the one that separates most pairs for its cost: a few steps separate all, along short paths.
+  void separate(std::vector<std::pair<int, int> > crossings, const std::vector<int>& border)
   {
-    std::vector<double> positions(m_disk.number_of_halfedges(), 0);
-    std::vector<int> numbers(m_disk.number_of_halfedges(), -1);
+    constexpr std::size_t largest_number_of_paths = 16;
+    std::vector<int> numbers(m_disk.number_of_halfedges(), -1); // along the border
+    std::vector<double> positions(m_disk.number_of_vertices(), -1);
     double length = 0;
     for(int i = 0; i < int(border.size()); ++i)
     {
       numbers[border[i]] = i;
-      positions[border[i]] = length;
+      positions[m_disk.source(border[i])] = length;
       length += m_disk.length(m_disk.edge(border[i]));
     }
-    const auto imbalance = [&](const std::pair<int, int>& pair)
-    { return std::abs(2 * std::abs(positions[pair.first] - positions[pair.second]) - length); };
-    const auto [g, h] = *std::min_element(crossings.begin(), crossings.end(), [&](const auto& a, const auto& b)
-                                          { return imbalance(a) < imbalance(b); });
-    const Arc there = arc_between(border, numbers[g], numbers[h]), back = arc_between(border, numbers[h], numbers[g]);
-    find_path(middle(there), middle(back));
-    if(m_path.empty())
-      find_path(there.vertices, back.vertices);
+    const auto position = [&](int h) { return positions[m_disk.source(h)]; };
+    CGAL::internal::Graph_kernel::sort_by_key(crossings, [&](const std::pair<int, int>& pair)
+    { return std::abs(2 * std::abs(position(pair.first) - position(pair.second)) - length); });
+    const std::size_t number_of_paths = (std::min)(largest_number_of_paths, crossings.size());
+    double best_number = 0, best_cost = 0;
+    for(std::size_t i = 0; i < number_of_paths; ++i)
+    {
+      const auto [g, h] = crossings[crossings.size() * i / number_of_paths];
+      std::vector<int> path = path_between(arc_between(border, numbers[g], numbers[h]),
+                                           arc_between(border, numbers[h], numbers[g]));
+      if(path.empty())
+        continue;
+      const auto [first, last] = ends(path, positions);
+      const auto is_between = [&, first = first, last = last](int b) { return first <= position(b) && position(b) < last; };
+      const double number = double(std::count_if(crossings.begin(), crossings.end(), [&](const std::pair<int, int>& pair)
+                                                 { return is_between(pair.first) != is_between(pair.second); }));
+      double cost = 0;
+      for(int e : path)
+        cost += m_costs[e];
+      if(m_path.empty() || number * best_cost > best_number * cost)
+      {
+        best_number = number;
+        best_cost = cost;
+        m_path = std::move(path);
+      }
+    }
+  }
+
+  // The two vertices of a path that lie on the border, by their positions there, the lower one first.
+  std::pair<double, double> ends(const std::vector<int>& path, const std::vector<double>& positions) const
+  {
+    std::pair<double, double> result(std::numeric_limits<double>::infinity(), -1);
+    for(int e : path)
+      for(int h : {m_disk.halfedge(e), next_halfedge(m_disk.halfedge(e))})
+        if(const double position = positions[m_disk.source(h)]; position >= 0)
+          result = {(std::min)(result.first, position), (std::max)(result.second, position)};
+    return result;
+  }
+
+  // From the middle of one arc to that of the other, if possible.
+  std::vector<int> path_between(const Arc& there, const Arc& back) const
+  {
+    const std::vector<int> path = cheapest_path(middle(there), middle(back));
+    return path.empty() ? cheapest_path(there.vertices, back.vertices) : path;
   }
 
   // The vertices of the middle half, at least one: a path near a crossing would cut off little.
@@ -123,8 +164,8 @@ private:
     return vertices.empty() ? std::vector<int>(1, arc.vertices[nearest]) : vertices;
   }
 
-  // The cheapest path through the interior.
-  void find_path(const std::vector<int>& sources, const std::vector<int>& targets)
+  // The cheapest path through the interior; empty if there is none.
+  std::vector<int> cheapest_path(const std::vector<int>& sources, const std::vector<int>& targets) const
   {
     std::vector<char> is_closed = open_vertices(m_disk, Cut(m_disk.number_of_edges(), 0)), is_target(is_closed.size(), 0);
     for(int v : targets)
@@ -148,8 +189,10 @@ private:
                 return m_disk.is_border_edge(arc.edge) || is_closed[arc.target] ? Shortest_paths::infinity()
                                                                                 : m_costs[arc.edge];
               });
+    std::vector<int> path;
     if(end >= 0)
-      paths.path(end, std::back_inserter(m_path));
+      paths.path(end, std::back_inserter(path));
+    return path;
   }
 
   const Indexed_mesh& m_disk;

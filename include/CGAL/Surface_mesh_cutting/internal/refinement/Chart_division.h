@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_bisection.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_seams.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
@@ -26,7 +27,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
@@ -56,26 +56,10 @@ public:
 
   // The cut with the seams between the parts.
   const Cut& cut() const { return m_cut; }
-  int number_of_parts() const { return m_number_of_parts; }
-
-  // The map on the chart that the cut leaves, whose parts lie where they did.
-  std::vector<Eigen::Vector2d> uv(const Corner_table& chart) const
-  {
-    std::vector<Eigen::Vector2d> result(chart.number_of_vertices());
-    for(int h = 0; h < int(chart.opposites().size()); ++h)
-      result[chart.source(h)] = m_overlapping.uv[m_overlapping.chart.source(h)];
-    return result;
-  }
+  // Along which parts were bisected; what separates two parts is among them.
+  const std::vector<std::vector<int> >& paths() const { return m_paths; }
 
 private:
-  // A run of edges between the same two parts.
-  struct Seam
-  {
-    double cost = 0;
-    std::pair<int, int> parts;
-    std::vector<int> edges;
-  };
-
   // Each path ends on the border of the part that it divides, so that all parts are disks.
   bool bisect_all()
   {
@@ -132,10 +116,11 @@ private:
   {
     const Corner_table chart = make_chart(m_problem.mesh, m_cut);
     const Connected_parts parts(chart.opposites());
-    m_number_of_parts = parts.number;
     std::vector<std::set<int> > overlapped = overlapping_parts(chart, parts);
     CGAL::internal::Graph_kernel::Disjoint_sets groups(parts.number);
-    for(const Seam& seam : seams(parts))
+    std::vector<Chart_seam> seams = seams_along(m_paths, m_problem, parts);
+    CGAL::internal::Graph_kernel::sort_by_key(seams, [](const Chart_seam& seam) { return -seam.cost; });
+    for(const Chart_seam& seam : seams)
     {
       const int a = groups.find(seam.parts.first), b = groups.find(seam.parts.second);
       if(a == b || overlapped[a].count(b) > 0)
@@ -150,8 +135,16 @@ private:
       }
       for(int e : seam.edges)
         m_cut[e] = 0;
-      --m_number_of_parts;
     }
+  }
+
+  // The map on the chart that the cut leaves, whose parts lie where they did.
+  std::vector<Eigen::Vector2d> uv(const Corner_table& chart) const
+  {
+    std::vector<Eigen::Vector2d> result(chart.number_of_vertices());
+    for(int h = 0; h < int(chart.opposites().size()); ++h)
+      result[chart.source(h)] = m_overlapping.uv[m_overlapping.chart.source(h)];
+    return result;
   }
 
   // For each part, those that it overlaps.
@@ -171,29 +164,10 @@ private:
     return result;
   }
 
-  // The most expensive first.
-  std::vector<Seam> seams(const Connected_parts& parts) const
-  {
-    std::vector<Seam> result;
-    for(const std::vector<int>& path : m_paths)
-      for(std::size_t i = 0; i < path.size(); ++i)
-      {
-        const int h = m_problem.mesh.halfedge(path[i]);
-        const std::pair<int, int> sides = std::minmax(parts.part[h / 3], parts.part[m_problem.mesh.opposite(h) / 3]);
-        if(i == 0 || result.back().parts != sides)
-          result.push_back({0, sides, {}});
-        result.back().cost += m_problem.constraints.weights[path[i]];
-        result.back().edges.push_back(path[i]);
-      }
-    CGAL::internal::Graph_kernel::sort_by_key(result, [](const Seam& seam) { return -seam.cost; });
-    return result;
-  }
-
   const Problem& m_problem;
   const Open_chart& m_overlapping;
   Cut m_cut;
-  std::vector<std::vector<int> > m_paths; // along which parts were bisected
-  int m_number_of_parts = 1;
+  std::vector<std::vector<int> > m_paths;
   bool m_is_complete = false;
 };
 

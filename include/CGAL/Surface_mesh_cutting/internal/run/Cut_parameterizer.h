@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_joining.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/End_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_regluer.h>
@@ -63,13 +64,13 @@ public:
       map(running, may_grow ? hopeless : infinity, result);
       if(may_grow)
       {
-        constexpr double tolerance = 0.0195; // of the energy: less is not worth a longer cut
         const double goal = running.energy + tolerance;
+        Component_result divided = result;
         const std::optional<Open_chart> rearranged = reglue(running, goal, result);
         if(result.energy < hopeless)
           relieve(rearranged ? *rearranged : running, goal, result);
-        if(!result.has_map || result.energy > goal)
-          divide(cut, result);
+        if((!result.has_map || result.energy > goal) && divide(running, goal, divided) && is_worth_it(divided, result))
+          result = std::move(divided);
         if(!result.has_map && !m_context.control.is_stopped())
           map(running, infinity, result);
       }
@@ -159,31 +160,38 @@ public:
       result = std::move(moved);
   }
 
-  // Replaces a map without overlaps by the running one, divided into several charts, where that is worth the longer cut.
-  void divide(const Working_cut& cut, Component_result& result) const
+  // Replaces the map by one without overlaps of several charts: parts of the given one, as many as it takes for an energy of
+  // at most `goal` if that is possible. Without a bound, no seam is worth more than what it gains. False if edges that must
+  // not be cut leave no way.
+  bool divide(const Open_chart& overlapping, double goal, Component_result& result) const
   {
-    const Open_chart& running = cut.chart();
-    Open_chart chart = running;
-    const Newton_result newton = converged_map(m_problem, running, m_context, chart.uv);
+    Open_chart chart = overlapping;
+    const Newton_result newton = converged_map(m_problem, overlapping, m_context, chart.uv);
     const Chart_division division(m_problem, chart);
     if(newton.outcome == Newton_outcome::FAILED || !division.is_complete())
-      return;
-    const double cost = cut_cost(m_problem.constraints, division.cut());
-    if(result.has_map && !m_context.parameters.has_bound() &&
-       result.energy - newton.energy < m_context.parameters.decrease_per_cost * (cost - result.cost))
-      return;
+      return false;
+    Chart_joining joining(m_problem, m_context, chart, division, hopeless);
+    joining.join(goal, m_context.parameters.has_bound() ? infinity : m_context.parameters.decrease_per_cost);
     if(!m_context.control.is_stopped())
       result.status.finding = Finding(); // even if there was no map in one piece
     result.has_map = true;
-    take_cut(cut, division.cut(), result);
-    result.chart = make_chart(m_problem.mesh, result.cut);
-    result.uv = division.uv(result.chart);
-    result.energy = newton.energy;
+    result.is_optimal = false;
+    result.chart = make_chart(m_problem.mesh, joining.cut());
+    take_cut_and_map(joining.cut(), {joining.uv(result.chart), joining.energy()}, result);
+    return true;
   }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double tolerance = 0.0195; // of the energy, without a bound: less is not worth a longer cut
   static constexpr double hopeless = 1000; // a map that is more distorted is far from what slits lead to
+
+  // Without a bound: whether a map of several charts gains enough for the longer cut.
+  bool is_worth_it(const Component_result& divided, const Component_result& result) const
+  {
+    return !result.has_map ||
+           result.energy - divided.energy >= m_context.parameters.decrease_per_cost * (divided.cost - result.cost);
+  }
 
   void map(const Open_chart& running, double hopeless_energy, Component_result& result) const
   {
@@ -219,14 +227,19 @@ private:
 
   void take(Injective_cut injective, Component_result& result) const
   {
-    result.cut = std::move(injective.cut);
-    result.length = cut_length(m_problem.mesh, result.cut);
-    result.cost = cut_cost(m_problem.constraints, result.cut);
+    take_cut_and_map(std::move(injective.cut), std::move(injective.map), result);
     result.features = std::move(injective.ends);
     std::sort(result.features.begin(), result.features.end());
     result.chart = std::move(injective.chart);
-    result.uv = std::move(injective.map.uv);
-    result.energy = injective.map.energy;
+  }
+
+  void take_cut_and_map(Cut cut, Injective_map map, Component_result& result) const
+  {
+    result.cut = std::move(cut);
+    result.length = cut_length(m_problem.mesh, result.cut);
+    result.cost = cut_cost(m_problem.constraints, result.cut);
+    result.uv = std::move(map.uv);
+    result.energy = map.energy;
   }
 
   // Where a map lies in so many layers, nobody needs to try one in one piece: at best, it would be distorted beyond use.
@@ -243,9 +256,8 @@ private:
     if(Surface_mesh_parameterization::internal::chart_area(running.chart.triangles(), running.uv)
        < layers * size.x() * size.y())
       return false;
-    result.has_map = false;
-    divide(cut, result);
-    return result.has_map;
+    const Cutting_parameters& parameters = m_context.parameters;
+    return divide(running, parameters.has_bound() ? parameters.maximum_average_distortion : running.energy + tolerance, result);
   }
 
   const Problem& m_problem;

@@ -238,31 +238,51 @@ private:
       result.status = bound_missed();
   }
 
-  // Where parts of the chart are in each other's way, they are glued elsewhere. Slits there lengthen the cut more than that, but
-  // far less than slits that lower the running map's energy, of which only some make room.
+  // Where parts of the chart are in each other's way, they are glued elsewhere, slits let them turn aside, or seams divide
+  // several charts. If all that costs much, slits are opened that lower the running map's energy, of which only some make
+  // room.
   void lower_without_overlaps(const Refiner& refiner, double repair_threshold, Component_result& result) const
   {
-    constexpr double little = 0.05; // of the cost: enough to end the search for room
-    const double cost_with_overlaps = result.cost;
+    constexpr double little = 0.05, much = 0.1; // of the cost
+    const Component_result given = result;
     const Open_chart& running = refiner.cut().chart();
-    Component_result rearranged = result;
-    if(const auto other = reglue(running, rearranged))
-      relieve(*other, rearranged);
+    const auto keeps_it_within = [&](double share, const Component_result& r)
+    { return keeps_bound(r) && r.cost <= (1 + share) * given.cost; };
+    const double enough_cost = (1 + little) * given.cost;
+    if(const auto other = reglue(running, result))
+      make_room_in(*other, true, enough_cost, result);
     m_control.report(Phase::PARAMETERIZE, share_before_longer_cuts);
-    if(!keeps_bound(rearranged) || rearranged.cost > (1 + little) * cost_with_overlaps)
-    {
-      if(m_parameters.opens_slits_first)
-        relieve(running, result);
-      if(!m_parameters.opens_slits_first || !(keeps_bound(result) || keeps_bound(rearranged)))
-        lower_by_longer_cuts(refiner, repair_threshold, result);
-      if(!(rank_of_result(rearranged, m_parameters) < rank_of_result(result, m_parameters)))
-      {
-        result.add(rearranged.trade_offs);
-        return;
-      }
-      rearranged.add(result.trade_offs);
-    }
-    result = std::move(rearranged);
+    if(keeps_it_within(little, result))
+      return;
+    Component_result alternative = given;
+    make_room_in(running, m_parameters.opens_slits_first, enough_cost, alternative);
+    take_better(std::move(alternative), result);
+    if(keeps_it_within(much, result))
+      return;
+    alternative = given;
+    lower_by_longer_cuts(refiner, repair_threshold, alternative);
+    take_better(std::move(result), alternative); // if both cost the same, one chart is better
+    result = std::move(alternative);
+  }
+
+  // By slits or, where they cost more than is enough, seams.
+  void make_room_in(const Open_chart& overlapping, bool opens_slits, double enough_cost, Component_result& result) const
+  {
+    Component_result divided = result;
+    if(opens_slits)
+      relieve(overlapping, result);
+    if((keeps_bound(result) && result.cost <= enough_cost) || overlapping.energy > m_parameters.maximum_average_distortion)
+      return;
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    if(m_parameterizer.divide(overlapping, m_parameters.maximum_average_distortion, divided))
+      take_better(std::move(divided), result);
+  }
+
+  void take_better(Component_result other, Component_result& result) const
+  {
+    if(rank_of_result(other, m_parameters) < rank_of_result(result, m_parameters))
+      std::swap(other, result);
+    result.add(other.trade_offs);
   }
 
   bool keeps_bound(const Component_result& result) const
@@ -290,16 +310,9 @@ private:
 
   void lower_by_longer_cuts(const Refiner& refiner, double repair_threshold, Component_result& result) const
   {
-    const double bound = m_parameters.maximum_average_distortion;
     tighten(refiner, repair_threshold, result);
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    m_parameterizer.relieve(refiner.cut().chart(), bound, result);
-    if(refiner.cut().chart().energy > bound)
-      return;
-    Component_result divided = result;
-    m_parameterizer.divide(refiner.cut(), divided);
-    if(divided.energy <= bound && (result.energy > bound || divided.cost < result.cost))
-      result = std::move(divided);
+    m_parameterizer.relieve(refiner.cut().chart(), m_parameters.maximum_average_distortion, result);
   }
 
   // Slits gain in whole paths, and other branches contribute less then.

@@ -115,6 +115,31 @@ public:
     return vertices - (halfedges + border) / 2 + number_of_triangles();
   }
 
+  // One part of several: all triangles that are connected to the given ones are among these. O(n).
+  Corner_table part(const std::vector<int>& triangles) const
+  {
+    Corner_table result;
+    std::vector<int> new_vertex(m_origins.size(), -1), new_triangle(m_triangles.size(), -1);
+    for(std::size_t i = 0; i < triangles.size(); ++i)
+      new_triangle[triangles[i]] = int(i);
+    for(int t : triangles)
+    {
+      result.m_triangles.push_back(m_triangles[t]);
+      for(int& v : result.m_triangles.back())
+      {
+        if(new_vertex[v] < 0)
+        {
+          new_vertex[v] = result.number_of_vertices();
+          result.m_origins.push_back(m_origins[v]);
+        }
+        v = new_vertex[v];
+      }
+      for(int h = 3 * t; h < 3 * t + 3; ++h)
+        result.m_opposites.push_back(is_border(h) ? -1 : 3 * new_triangle[opposite(h) / 3] + opposite(h) % 3);
+    }
+    return result;
+  }
+
   // What `open()` changed, so that `close()` can take it back.
   struct Opening
   {
