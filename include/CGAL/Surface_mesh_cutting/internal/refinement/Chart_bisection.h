@@ -91,7 +91,6 @@ private:
   // least, the one that separates most pairs for its cost: a few steps separate all, along short paths.
   void separate(std::vector<std::pair<int, int> > crossings, const std::vector<int>& border)
   {
-    constexpr std::size_t largest_number_of_paths = 16;
     std::vector<int> numbers(m_disk.number_of_halfedges(), -1); // along the border
     std::vector<double> positions(m_disk.number_of_vertices(), -1);
     double length = 0;
@@ -104,7 +103,7 @@ private:
     const auto position = [&](int h) { return positions[m_disk.source(h)]; };
     CGAL::internal::Graph_kernel::sort_by_key(crossings, [&](const std::pair<int, int>& pair)
     { return std::abs(2 * std::abs(position(pair.first) - position(pair.second)) - length); });
-    const std::size_t number_of_paths = (std::min)(largest_number_of_paths, crossings.size());
+    const std::size_t number_of_paths = (std::min)(largest_number_of_paths(), crossings.size());
     double best_number = 0, best_cost = 0;
     for(std::size_t i = 0; i < number_of_paths; ++i)
     {
@@ -127,6 +126,13 @@ private:
         m_path = std::move(path);
       }
     }
+  }
+
+  // Each is a search in the whole part: few in large ones.
+  std::size_t largest_number_of_paths() const
+  {
+    constexpr int most = 16, enough_faces = 1000000; // of all searches
+    return std::clamp(enough_faces / m_disk.number_of_faces(), 1, most);
   }
 
   // The two vertices of a path that lie on the border, by their positions there, the lower one first.
