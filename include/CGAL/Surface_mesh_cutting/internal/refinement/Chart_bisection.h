@@ -87,8 +87,8 @@ private:
     }
   }
 
-  // Of the paths that separate some of the pairs, from the pair whose two arcs are most alike in length to the one whose are
-  // least, the one that separates most pairs for its cost: a few steps separate all, along short paths.
+  // Of the paths that separate some of the pairs, from the pair whose two arcs are most alike in length on, the one that
+  // separates most pairs for its cost: a few steps separate all, along short paths.
   void separate(std::vector<std::pair<int, int> > crossings, const std::vector<int>& border)
   {
     std::vector<int> numbers(m_disk.number_of_halfedges(), -1); // along the border
@@ -119,7 +119,8 @@ private:
       double cost = 0;
       for(int e : path)
         cost += m_costs[e];
-      if(m_path.empty() || number * best_cost > best_number * cost)
+      const double gain = number * best_cost, best_gain = best_number * cost; // equal if nothing costs anything
+      if(m_path.empty() || gain > best_gain || (gain == best_gain && number > best_number))
       {
         best_number = number;
         best_cost = cost;
@@ -131,7 +132,7 @@ private:
   // Each is a search in the whole part: few in large ones.
   std::size_t largest_number_of_paths() const
   {
-    constexpr int most = 16, enough_faces = 1000000; // of all searches
+    constexpr int most = 16, enough_faces = 1000000; // of all searches in the part
     return std::clamp(enough_faces / m_disk.number_of_faces(), 1, most);
   }
 

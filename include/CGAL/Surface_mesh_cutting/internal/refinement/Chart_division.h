@@ -110,8 +110,8 @@ private:
     return uv;
   }
 
-  // Two disks become one along a seam; more seams between them stay closed, as they surround others. Parts that do not
-  // overlap in pairs do not overlap together.
+  // Two disks become one along a seam; others between them either surround further parts, or end where these two met.
+  // Parts that do not overlap in pairs do not overlap together.
   void join()
   {
     const Corner_table chart = make_chart(m_problem.mesh, m_cut);
@@ -136,6 +136,7 @@ private:
       for(int e : seam.edges)
         m_cut[e] = 0;
     }
+    close_dead_ends(m_paths, m_problem.mesh, m_cut);
   }
 
   // The map on the chart that the cut leaves, whose parts lie where they did.

@@ -28,6 +28,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -64,13 +66,12 @@ public:
   }
 
   // Across the seams that save most for the energy, none of which adds more than `energy_per_cost`, as long as the energy of
-  // all is at most `goal`. What a joint adds grows with its parts: what it was before is where to look first.
+  // all is at most `goal`. What a joint adds grows with its parts: what it was before is where to look first, and what was too
+  // much remains so.
   void join(double goal, double energy_per_cost)
   {
-    constexpr int enough_faces = 200000; // as many trials as there are seams take too long on larger surfaces
-    if(m_problem.mesh.number_of_faces() > enough_faces)
-      return;
-    std::vector<Joint> joints = joints_of(current_parts(), {});
+    const Connected_parts parts = current_parts();
+    std::vector<Joint> joints = first_joints(parts);
     execute(m_context.parameters.linear_solvers->execution(), int(joints.size()), [&](int i) { try_joint(joints[i]); });
     for(const Joint& joint : joints)
       m_number_of_solved_faces += joint.number_of_solved_faces;
@@ -85,7 +86,7 @@ public:
         try_joint(best);
         m_number_of_solved_faces += best.number_of_solved_faces;
       }
-      else if(energy() + best.loss > goal || best.loss_per_cost() > energy_per_cost)
+      else if(energy() + best.loss > goal || best.loss_per_cost() > energy_per_cost || best.loss_per_cost() == infinity)
         best.loss = infinity;
       else
         joints = joined(best, std::move(joints));
@@ -116,11 +117,13 @@ private:
     double loss = -infinity; // what it adds to the energy of all; not known at first, infinite if it is not possible
     bool is_current = false; // parts are what they were when the loss was found
     double number_of_solved_faces = 0;
+    std::vector<int> closed;              // edges: the seam, and what ends at it
+    double saved_cost = 0;                // of these
     std::vector<int> faces;
     std::vector<Eigen::Vector2d> corners; // three for each of the faces
     std::vector<double> energies;         // of each of them, times its area
 
-    double loss_per_cost() const { return seam.cost > 0 ? loss / seam.cost : loss > 0 ? infinity : -infinity; }
+    double loss_per_cost() const { return saved_cost > 0 ? loss / saved_cost : loss > 0 ? infinity : -infinity; }
   };
 
   // Times areas.
@@ -136,11 +139,32 @@ private:
 
   bool has_time() const
   {
-    constexpr double enough_solved_faces = 4e6; // one for each triangle in each factorization: some twenty seconds
+    constexpr double enough_solved_faces = 1e7; // one for each triangle in each factorization: some twenty seconds
     return m_number_of_solved_faces <= enough_solved_faces && m_context.control.go_further();
   }
 
   Connected_parts current_parts() const { return Connected_parts(make_chart(m_problem.mesh, m_cut).opposites()); }
+
+  // Those that are tried at first: with the most expensive seams, so many as do not take too long.
+  std::vector<Joint> first_joints(const Connected_parts& parts) const
+  {
+    constexpr double enough_faces = 400000; // of all their parts
+    std::vector<int> sizes(parts.number, 0);
+    for(int part : parts.part)
+      ++sizes[part];
+    std::vector<Joint> joints = joints_of(parts, {}), result;
+    CGAL::internal::Graph_kernel::sort_by_key(joints, [](const Joint& joint) { return -joint.seam.cost; });
+    double number_of_faces = 0;
+    for(Joint& joint : joints)
+    {
+      const int size = sizes[joint.seam.parts.first] + sizes[joint.seam.parts.second];
+      if(number_of_faces + size > enough_faces)
+        continue;
+      number_of_faces += size;
+      result.push_back(std::move(joint));
+    }
+    return result;
+  }
 
   // One for each seam between two parts; what is known from `former` ones of the same seam is kept.
   std::vector<Joint> joints_of(const Connected_parts& parts, std::vector<Joint> former) const
@@ -160,7 +184,7 @@ private:
   std::vector<Joint> joined(const Joint& joint, std::vector<Joint> joints)
   {
     const auto [a, b] = joint.seam.parts;
-    for(int e : joint.seam.edges)
+    for(int e : joint.closed)
       m_cut[e] = 0;
     for(std::size_t i = 0; i < joint.faces.size(); ++i)
     {
@@ -178,11 +202,18 @@ private:
   {
     joint.is_current = true;
     joint.loss = infinity;
+    joint.number_of_solved_faces = 0;
     if(!m_context.control.go_further())
       return;
     Cut cut = m_cut;
     for(int e : joint.seam.edges)
       cut[e] = 0;
+    close_dead_ends(m_paths, m_problem.mesh, cut);
+    joint.closed.clear();
+    for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
+      if(m_cut[e] && !cut[e])
+        joint.closed.push_back(e);
+    joint.saved_cost = cut_cost(m_problem.constraints, m_cut) - cut_cost(m_problem.constraints, cut);
     const Corner_table whole = make_chart(m_problem.mesh, cut);
     const Connected_parts parts(whole.opposites());
     const int part = parts.part[m_problem.mesh.halfedge(joint.seam.edges.front()) / 3];
@@ -214,7 +245,8 @@ private:
     const Newton_result newton = Surface_mesh_parameterization::internal::make_bijective(
       chart, chart_points(m_problem.mesh, chart), shapes, *m_context.parameters.linear_solvers, uv, start,
       final_options(m_context), m_hopeless);
-    joint.number_of_solved_faces = double(newton.iterations + 1) * double(joint.faces.size());
+    constexpr int iterations_before = 10; // about, for the map to start from
+    joint.number_of_solved_faces = double(newton.iterations + iterations_before) * double(joint.faces.size());
     if(newton.outcome == Newton_outcome::FAILED)
       return;
     joint.energies = face_energies(shapes, chart, uv);

@@ -15,11 +15,13 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,31 @@ struct Chart_seam
   std::pair<int, int> parts;
   std::vector<int> edges;
 };
+
+// Takes off a cut what is left of `paths` where it ends inside of a part: once parts that met there are one, it separates
+// nothing. O(n).
+inline void close_dead_ends(const std::vector<std::vector<int> >& paths, const Indexed_mesh& mesh, Cut& cut)
+{
+  std::vector<int> degrees(mesh.number_of_vertices(), 0); // of open edges
+  const auto ends = [&](int e) { return std::array<int, 2>{mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))}; };
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(cut[e] || mesh.is_border_edge(e))
+      for(int v : ends(e))
+        ++degrees[v];
+  for(bool is_done = false; !is_done;)
+  {
+    is_done = true;
+    for(const std::vector<int>& path : paths)
+      for(int e : path)
+        if(cut[e] && (degrees[ends(e)[0]] == 1 || degrees[ends(e)[1]] == 1))
+        {
+          is_done = false;
+          cut[e] = 0;
+          for(int v : ends(e))
+            --degrees[v];
+        }
+  }
+}
 
 // Those along `paths` between two parts, in order.
 inline std::vector<Chart_seam> seams_along(const std::vector<std::vector<int> >& paths, const Problem& problem,

@@ -41,7 +41,7 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, parts are glued
-// elsewhere, slits let them turn aside, or, as a last resort, seams divide several charts.
+// elsewhere, slits let them turn aside, or seams divide several charts.
 template <typename ConcurrencyTag>
 class Cut_parameterizer
 {
@@ -70,7 +70,10 @@ public:
         if(result.energy < hopeless)
           relieve(rearranged ? *rearranged : running, goal, result);
         if((!result.has_map || result.energy > goal) && divide(running, goal, divided) && is_worth_it(divided, result))
+        {
+          divided.add(result.trade_offs);
           result = std::move(divided);
+        }
         if(!result.has_map && !m_context.control.is_stopped())
           map(running, infinity, result);
       }
@@ -161,14 +164,16 @@ public:
   }
 
   // Replaces the map by one without overlaps of several charts: parts of the given one, as many as it takes for an energy of
-  // at most `goal` if that is possible. Without a bound, no seam is worth more than what it gains. False if edges that must
-  // not be cut leave no way.
+  // at most `goal` if that is possible. Without a bound, no seam costs more than what it gains is worth. False if edges that
+  // must not be cut leave no way, or if the given map does not converge.
   bool divide(const Open_chart& overlapping, double goal, Component_result& result) const
   {
     Open_chart chart = overlapping;
     const Newton_result newton = converged_map(m_problem, overlapping, m_context, chart.uv);
+    if(newton.outcome == Newton_outcome::FAILED)
+      return false;
     const Chart_division division(m_problem, chart);
-    if(newton.outcome == Newton_outcome::FAILED || !division.is_complete())
+    if(!division.is_complete())
       return false;
     Chart_joining joining(m_problem, m_context, chart, division, hopeless);
     joining.join(goal, m_context.parameters.has_bound() ? infinity : m_context.parameters.decrease_per_cost);

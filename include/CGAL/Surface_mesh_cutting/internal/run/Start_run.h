@@ -271,7 +271,8 @@ private:
     Component_result divided = result;
     if(opens_slits)
       relieve(overlapping, result);
-    if((keeps_bound(result) && result.cost <= enough_cost) || overlapping.energy > m_parameters.maximum_average_distortion)
+    if((keeps_bound(result) && result.cost <= enough_cost) || !m_control.go_further() ||
+       overlapping.energy > m_parameters.maximum_average_distortion)
       return;
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     if(m_parameterizer.divide(overlapping, m_parameters.maximum_average_distortion, divided))
