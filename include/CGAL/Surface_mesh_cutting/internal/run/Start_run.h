@@ -239,8 +239,8 @@ private:
   }
 
   // Where parts of the chart are in each other's way, they are glued elsewhere, slits let them turn aside, or seams divide
-  // several charts. If all that costs much, slits are opened that lower the running map's energy, of which only some make
-  // room.
+  // several charts. If all that does not suffice, or costs much where not all was tried, slits are opened that lower the
+  // running map's energy, of which only some make room.
   void lower_without_overlaps(const Refiner& refiner, double repair_threshold, Component_result& result) const
   {
     constexpr double little = 0.05, much = 0.1; // of the cost
@@ -257,7 +257,7 @@ private:
     Component_result alternative = given;
     make_room_in(running, m_parameters.opens_slits_first, enough_cost, alternative);
     take_better(std::move(alternative), result);
-    if(keeps_it_within(much, result))
+    if(m_parameters.opens_slits_first ? keeps_bound(result) : keeps_it_within(much, result))
       return;
     alternative = given;
     lower_by_longer_cuts(refiner, repair_threshold, alternative);
