@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
 #include <algorithm>

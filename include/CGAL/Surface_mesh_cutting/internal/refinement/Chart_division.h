@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
@@ -139,19 +140,11 @@ private:
     close_dead_ends(m_paths, m_problem.mesh, m_cut);
   }
 
-  // The map on the chart that the cut leaves, whose parts lie where they did.
-  std::vector<Eigen::Vector2d> uv(const Corner_table& chart) const
-  {
-    std::vector<Eigen::Vector2d> result(chart.number_of_vertices());
-    for(int h = 0; h < int(chart.opposites().size()); ++h)
-      result[chart.source(h)] = m_overlapping.uv[m_overlapping.chart.source(h)];
-    return result;
-  }
-
   // For each part, those that it overlaps.
   std::vector<std::set<int> > overlapping_parts(const Corner_table& chart, const Connected_parts& parts) const
   {
-    const Surface_mesh_parameterization::internal::Border_overlaps overlaps(chart, parts, uv(chart));
+    const std::vector<Eigen::Vector2d> uv = vertex_uvs(chart, corner_uvs(m_overlapping.chart, m_overlapping.uv));
+    const Surface_mesh_parameterization::internal::Border_overlaps overlaps(chart, parts, uv);
     std::vector<std::set<int> > result(parts.number);
     const auto add = [&](int a, int b)
     {

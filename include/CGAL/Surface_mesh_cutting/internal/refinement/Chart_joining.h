@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
@@ -58,12 +59,10 @@ public:
   Chart_joining(const Problem& problem, const Context& context, const Open_chart& overlapping, const Chart_division& division,
                 double hopeless)
     : m_problem(problem), m_context(context), m_overlapping(overlapping), m_paths(division.paths()), m_hopeless(hopeless),
-      m_cut(division.cut()), m_energies(face_energies(problem.shapes, overlapping.chart, overlapping.uv)),
+      m_cut(division.cut()), m_corners(corner_uvs(overlapping.chart, overlapping.uv)),
+      m_energies(face_energies(problem.shapes, overlapping.chart, overlapping.uv)),
       m_area(surface_area(problem.shapes))
-  {
-    for(int h = 0; h < problem.mesh.number_of_halfedges(); ++h)
-      m_corners.push_back(overlapping.uv[overlapping.chart.source(h)]);
-  }
+  {}
 
   // Across the seams that save most for the energy, none of which adds more than `energy_per_cost`, as long as the energy of
   // all is at most `goal`. What a joint adds grows with its parts: what it was before is where to look first, and what was too
@@ -99,13 +98,7 @@ public:
   double energy() const { return std::accumulate(m_energies.begin(), m_energies.end(), 0.) / m_area; }
 
   // The map on the chart that the cut leaves; parts lie anywhere.
-  std::vector<Eigen::Vector2d> uv(const Corner_table& chart) const
-  {
-    std::vector<Eigen::Vector2d> result(chart.number_of_vertices());
-    for(int h = 0; h < int(m_corners.size()); ++h)
-      result[chart.source(h)] = m_corners[h];
-    return result;
-  }
+  std::vector<Eigen::Vector2d> uv(const Corner_table& chart) const { return vertex_uvs(chart, m_corners); }
 
 private:
   using Energy = Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy;
@@ -210,10 +203,13 @@ private:
       cut[e] = 0;
     close_dead_ends(m_paths, m_problem.mesh, cut);
     joint.closed.clear();
+    joint.saved_cost = 0;
     for(int e = 0; e < m_problem.mesh.number_of_edges(); ++e)
       if(m_cut[e] && !cut[e])
+      {
         joint.closed.push_back(e);
-    joint.saved_cost = cut_cost(m_problem.constraints, m_cut) - cut_cost(m_problem.constraints, cut);
+        joint.saved_cost += m_problem.constraints.weights[e];
+      }
     const Corner_table whole = make_chart(m_problem.mesh, cut);
     const Connected_parts parts(whole.opposites());
     const int part = parts.part[m_problem.mesh.halfedge(joint.seam.edges.front()) / 3];
@@ -251,9 +247,7 @@ private:
       return;
     joint.energies = face_energies(shapes, chart, uv);
     joint.loss = (std::accumulate(joint.energies.begin(), joint.energies.end(), 0.) - former_energy) / m_area;
-    joint.corners.clear();
-    for(int h = 0; h < int(chart.opposites().size()); ++h)
-      joint.corners.push_back(uv[chart.source(h)]);
+    joint.corners = corner_uvs(chart, uv);
   }
 
   const Problem& m_problem;

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Flap_search.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
 
 #include <Eigen/Core>
 
@@ -47,12 +48,11 @@ public:
   Chart_regluing(const Problem& problem, const Open_chart& overlapping) : m_problem(problem)
   {
     m_given.cut = overlapping.cut;
-    for(int h = 0; h < problem.mesh.number_of_halfedges(); ++h)
-      m_given.corners.push_back(overlapping.uv[overlapping.chart.source(h)]);
+    m_given.corners = corner_uvs(overlapping.chart, overlapping.uv);
     const Corner_table chart = make_chart(problem.mesh, m_given.cut);
     if(is_disk(chart))
     {
-      const std::vector<Eigen::Vector2d> uv = positions(chart, m_given.corners);
+      const std::vector<Eigen::Vector2d> uv = vertex_uvs(chart, m_given.corners);
       m_necks = Flap_search(problem, m_given.cut, chart, uv).necks();
     }
   }
@@ -68,7 +68,7 @@ public:
       const Corner_table chart = make_chart(m_problem.mesh, next.cut);
       if(!is_disk(chart))
         return best;
-      const std::vector<Eigen::Vector2d> uv = positions(chart, next.corners);
+      const std::vector<Eigen::Vector2d> uv = vertex_uvs(chart, next.corners);
       const Flap_search search(m_problem, next.cut, chart, uv);
       const double objective = cut_cost(m_problem.constraints, next.cut) + cost_of_overlap * search.overlap();
       if(!(objective < least)) // what was found does not keep what it seemed to
@@ -85,14 +85,6 @@ public:
 
 private:
   static bool is_disk(const Corner_table& chart) { return chart.border_loops().size() == 1; }
-
-  static std::vector<Eigen::Vector2d> positions(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corners)
-  {
-    std::vector<Eigen::Vector2d> uv(chart.number_of_vertices());
-    for(int h = 0; h < int(corners.size()); ++h)
-      uv[chart.source(h)] = corners[h];
-    return uv;
-  }
 
   void apply(const Flap_move& move, Arrangement& arrangement) const
   {

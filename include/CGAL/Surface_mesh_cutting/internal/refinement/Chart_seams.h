@@ -20,8 +20,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/spanning_forest.h>
+
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -38,28 +39,18 @@ struct Chart_seam
 };
 
 // Takes off a cut what is left of `paths` where it ends inside of a part: once parts that met there are one, it separates
-// nothing. O(n).
+// nothing.
 inline void close_dead_ends(const std::vector<std::vector<int> >& paths, const Indexed_mesh& mesh, Cut& cut)
 {
-  std::vector<int> degrees(mesh.number_of_vertices(), 0); // of open edges
-  const auto ends = [&](int e) { return std::array<int, 2>{mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))}; };
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    if(cut[e] || mesh.is_border_edge(e))
-      for(int v : ends(e))
-        ++degrees[v];
-  for(bool is_done = false; !is_done;)
-  {
-    is_done = true;
-    for(const std::vector<int>& path : paths)
-      for(int e : path)
-        if(cut[e] && (degrees[ends(e)[0]] == 1 || degrees[ends(e)[1]] == 1))
-        {
-          is_done = false;
-          cut[e] = 0;
-          for(int v : ends(e))
-            --degrees[v];
-        }
-  }
+  std::vector<int> edges;
+  for(const std::vector<int>& path : paths)
+    for(int e : path)
+      if(std::exchange(cut[e], char(0)))
+        edges.push_back(e);
+  std::sort(edges.begin(), edges.end());
+  CGAL::internal::Graph_kernel::prune_leaves(mesh.graph(), open_vertices(mesh, cut), edges);
+  for(int e : edges)
+    cut[e] = 1;
 }
 
 // Those along `paths` between two parts, in order.

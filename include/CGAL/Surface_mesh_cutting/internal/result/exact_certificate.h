@@ -112,15 +112,6 @@ inline Certificate certify(const Corner_table& chart, const std::vector<Eigen::V
   return certificate;
 }
 
-// The UVs of the vertices; another check says whether corners disagree.
-inline std::vector<Eigen::Vector2d> vertex_uvs(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv)
-{
-  std::vector<Eigen::Vector2d> uv(chart.number_of_vertices(), Eigen::Vector2d::Zero());
-  for(int h = 0; h < int(corner_uv.size()); ++h)
-    uv[chart.source(h)] = corner_uv[h];
-  return uv;
-}
-
 // The same for UVs given per corner, which have to agree at each chart vertex.
 inline Certificate certify_corners(const Corner_table& chart,
                                    const std::vector<Eigen::Vector2d>& corner_uv,
