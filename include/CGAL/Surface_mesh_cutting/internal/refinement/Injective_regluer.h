@@ -49,8 +49,9 @@ public:
   {}
 
   // Takes another arrangement into `cut` if that is likely to cost less at an energy of `goal`, and returns its best map that
-  // may overlap; none if all stays. `overlapping`: that of the given cut. Cuts that are mapped are added to `seen`.
-  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, Injective_cut& cut,
+  // may overlap; none if all stays. `overlapping`: that of the given cut. `shortens`: whether each is tried shortened as well,
+  // which takes longer than all else. Cuts that are mapped are added to `seen`.
+  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, bool shortens, Injective_cut& cut,
                                    std::vector<Trade_off>& seen) const
   {
     constexpr double costs_of_overlap[] = {1, 0.3}; // both happen; where little is asked for, less is moved
@@ -66,7 +67,7 @@ public:
         continue;
       Refiner refiner(m_problem, m_context);
       if(refiner.start(rearranged))
-        try_cut(refiner, goal, cut, result);
+        try_cut(refiner, goal, shortens, cut, result);
       seen.insert(seen.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());
       former = std::move(rearranged);
     }
@@ -74,11 +75,10 @@ public:
   }
 
 private:
-  // As it is and, with a bound, shortened.
-  void try_cut(Refiner& refiner, double goal, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
+  void try_cut(Refiner& refiner, double goal, bool shortens, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
   {
     const double energy = take_if_better(refiner, goal, cut, overlapping);
-    if(m_context.parameters.has_bound() && shorten(energy, goal, refiner))
+    if(shortens && shorten(energy, goal, refiner))
       take_if_better(refiner, goal, cut, overlapping);
   }
 

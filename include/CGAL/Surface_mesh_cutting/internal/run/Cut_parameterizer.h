@@ -66,7 +66,7 @@ public:
       {
         const double goal = running.energy + tolerance;
         Component_result divided = result;
-        const std::optional<Open_chart> rearranged = reglue(running, goal, result);
+        const std::optional<Open_chart> rearranged = reglue(running, goal, false, result);
         if(result.energy < hopeless)
           relieve(rearranged ? *rearranged : running, goal, result);
         if((!result.has_map || result.energy > goal) && divide(running, goal, divided) && is_worth_it(divided, result))
@@ -101,14 +101,14 @@ public:
   }
 
   // Rearranges parts that are in each other's way, if that is likely to cost less than slits. Returns the best map of the
-  // other cut that may overlap; none if all stays.
-  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, Component_result& result) const
+  // other cut that may overlap; none if all stays. See `Injective_regluer`.
+  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, bool shortens, Component_result& result) const
   {
     if(!result.has_map || result.energy <= goal)
       return std::nullopt;
     Injective_cut injective = injective_cut(result);
     std::optional<Open_chart> rearranged = Injective_regluer<ConcurrencyTag>(m_problem, m_context, hopeless)
-                                             .reglue(overlapping, goal, injective, result.trade_offs);
+                                             .reglue(overlapping, goal, shortens, injective, result.trade_offs);
     if(rearranged)
     {
       result.number_of_auxiliary_points = 0; // where the cut forks, it has ends

@@ -16,12 +16,11 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Room_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,7 +35,6 @@ class Start_run
   using Refiner = Cut_refiner<ConcurrencyTag>;
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
-  static constexpr double share_before_longer_cuts = 0.5; // of the work for room, to show
 
 public:
   // The references are kept, but that to the parameters of the context: `parameters`, adapted to the size of the surface,
@@ -44,7 +42,8 @@ public:
   Start_run(const Problem& problem, const Cutting_parameters& parameters, const Context& context)
     : m_problem(problem), m_parameters(parameters.adapted_to_size(problem.mesh.number_of_faces())),
       m_context{m_parameters, context.control, context.clock}, m_control(context.control),
-      m_parameterizer(problem, m_context), m_is_coarsened(is_coarsened(problem, m_parameters))
+      m_parameterizer(problem, m_context), m_is_coarsened(is_coarsened(problem, m_parameters)),
+      m_room_search(problem, m_context, m_parameterizer, rounds_of_moved_ends() > 0)
   {}
 
   Start_run(const Start_run&) = delete; // the context refers to the parameters
@@ -219,112 +218,10 @@ private:
     return {m_parameters.maximum_average_distortion, repair_threshold, number_of_solves, false, rounds_of_moved_ends()};
   }
 
-  // A bijective map may miss a bound that the running map keeps; then the cut has to be longer.
-  void make_room(const Refiner& refiner, double repair_threshold, Component_result& result) const
-  {
-    if(m_parameters.has_bound() && m_parameters.do_bijective && result.energy > m_parameters.maximum_average_distortion &&
-       m_control.go_further())
-    {
-      const double cost_with_overlaps = result.cost;
-      lower_without_overlaps(refiner, repair_threshold, result);
-      result.cost_of_room = result.cost - cost_with_overlaps;
-    }
-    say_if_missed(result);
-  }
-
   void say_if_missed(Component_result& result) const
   {
     if(result.status && result.energy > m_parameters.maximum_average_distortion)
       result.status = bound_missed();
-  }
-
-  // Where parts of the chart are in each other's way, they are glued elsewhere, slits let them turn aside, or seams divide
-  // several charts. If all that does not suffice, or costs much where not all was tried, slits are opened that lower the
-  // running map's energy, of which only some make room.
-  void lower_without_overlaps(const Refiner& refiner, double repair_threshold, Component_result& result) const
-  {
-    constexpr double little = 0.05, much = 0.1; // of the cost
-    const Component_result given = result;
-    const Open_chart& running = refiner.cut().chart();
-    const auto keeps_it_within = [&](double share, const Component_result& r)
-    { return keeps_bound(r) && r.cost <= (1 + share) * given.cost; };
-    const double enough_cost = (1 + little) * given.cost;
-    if(const auto other = reglue(running, result))
-      make_room_in(*other, true, enough_cost, result);
-    m_control.report(Phase::PARAMETERIZE, share_before_longer_cuts);
-    if(keeps_it_within(little, result))
-      return;
-    Component_result alternative = given;
-    make_room_in(running, m_parameters.opens_slits_first, enough_cost, alternative);
-    take_better(std::move(alternative), result);
-    if(m_parameters.opens_slits_first ? keeps_bound(result) : keeps_it_within(much, result))
-      return;
-    alternative = given;
-    lower_by_longer_cuts(refiner, repair_threshold, alternative);
-    take_better(std::move(result), alternative); // if both cost the same, one chart is better
-    result = std::move(alternative);
-  }
-
-  // By slits or, where they cost more than is enough, seams.
-  void make_room_in(const Open_chart& overlapping, bool opens_slits, double enough_cost, Component_result& result) const
-  {
-    Component_result divided = result;
-    if(opens_slits)
-      relieve(overlapping, result);
-    if((keeps_bound(result) && result.cost <= enough_cost) || !m_control.go_further() ||
-       overlapping.energy > m_parameters.maximum_average_distortion)
-      return;
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    if(m_parameterizer.divide(overlapping, m_parameters.maximum_average_distortion, divided))
-      take_better(std::move(divided), result);
-  }
-
-  void take_better(Component_result other, Component_result& result) const
-  {
-    if(rank_of_result(other, m_parameters) < rank_of_result(result, m_parameters))
-      std::swap(other, result);
-    result.add(other.trade_offs);
-  }
-
-  bool keeps_bound(const Component_result& result) const
-  { return result.has_map && result.energy <= m_parameters.maximum_average_distortion; }
-
-  std::optional<Open_chart> reglue(const Open_chart& overlapping, Component_result& result) const
-  {
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    return m_parameterizer.reglue(overlapping, m_parameters.maximum_average_distortion, result);
-  }
-
-  // By slits where room is missing; whether they are worth moving ends, the effort says.
-  void relieve(const Open_chart& overlapping, Component_result& result) const
-  {
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    const double bound = m_parameters.maximum_average_distortion;
-    Component_result relieved = result;
-    m_parameterizer.relieve(overlapping, bound, relieved);
-    if(!keeps_bound(relieved))
-      return;
-    if(m_parameters.opens_slits_first)
-      shorten_without_overlaps(relieved);
-    result = std::move(relieved);
-  }
-
-  void lower_by_longer_cuts(const Refiner& refiner, double repair_threshold, Component_result& result) const
-  {
-    tighten(refiner, repair_threshold, result);
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    m_parameterizer.relieve(refiner.cut().chart(), m_parameters.maximum_average_distortion, result);
-  }
-
-  // Slits gain in whole paths, and other branches contribute less then.
-  void shorten_without_overlaps(Component_result& result) const
-  {
-    const double bound = m_parameters.maximum_average_distortion;
-    m_parameterizer.trim(bound, result);
-    if(!m_parameters.moves_ends || rounds_of_moved_ends() == 0)
-      return;
-    m_parameterizer.move_ends_and_ways(bound, result);
-    m_parameterizer.trim(bound, result); // that may have left some room below the bound
   }
 
   void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const
@@ -338,48 +235,9 @@ private:
     }
     m_control.report(Phase::PARAMETERIZE, 0);
     m_parameterizer(refiner.cut(), result);
-    make_room(refiner, goal.repair_threshold, result);
+    m_room_search(refiner, goal.repair_threshold, result);
+    say_if_missed(result);
     m_control.report(Phase::PARAMETERIZE, 1);
-  }
-
-  // Looks for the shortest cut whose bijective map keeps the bound: bisection over what is asked of
-  // the running map, between what failed and what did not.
-  void tighten(const Refiner& start, double repair_threshold, Component_result& best) const
-  {
-    constexpr int maximum_number_of_rounds = 6, solves = 10;
-    // As long as no round keeps the bound: about twenty seconds, after which none has been seen to keep it.
-    constexpr double maximum_number_of_solved_faces = 5e6;
-    double number_of_solved_faces = 0;
-    // Of what the bound leaves above the ideal: how precisely the target is found, and the shortest step to it.
-    constexpr double relative_precision = 0.02, shortest_step = 0.1;
-    const double bound = m_parameters.maximum_average_distortion, precision = relative_precision * (bound - ideal);
-    // Down by what is missing, and not by more than half of what is left.
-    const auto lowered = [&](double former, double missing)
-    { return (std::max)(former - (std::max)(missing, shortest_step * (bound - ideal)), (former + ideal) / 2); };
-    double failed = bound, kept = ideal, target = lowered(bound, best.energy - bound);
-    for(int round = 0; round < maximum_number_of_rounds && failed - kept > precision && best.status; ++round)
-    {
-      if(kept == ideal && number_of_solved_faces > maximum_number_of_solved_faces)
-        return;
-      Refiner refiner = start;
-      Component_result result = best;
-      {
-        const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
-        refine(refiner, {target, repair_threshold, solves}, m_parameters);
-      }
-      m_parameterizer(refiner.cut(), result);
-      m_control.report(Phase::PARAMETERIZE, share_before_longer_cuts * (1 + double(round) / maximum_number_of_rounds));
-      number_of_solved_faces += double(refiner.cut().trade_offs().size()) * m_problem.mesh.number_of_faces();
-      result.add(refiner.cut().trade_offs());
-      const bool is_kept = keeps_bound(result);
-      (is_kept ? kept : failed) = target;
-      target = kept > ideal ? (kept + failed) / 2 : lowered(target, result.energy - bound);
-      if(is_kept ? best.energy > bound || result.cost < best.cost
-                 : result.has_map && result.energy < best.energy && best.energy > bound)
-        best = std::move(result);
-      else
-        best.trade_offs = std::move(result.trade_offs);
-    }
   }
 
   const Problem& m_problem;
@@ -388,6 +246,7 @@ private:
   Run_control& m_control;
   const Cut_parameterizer<ConcurrencyTag> m_parameterizer;
   const bool m_is_coarsened;
+  const Room_search<ConcurrencyTag> m_room_search;
 };
 
 } // namespace internal

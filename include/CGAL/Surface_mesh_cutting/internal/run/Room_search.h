@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_ROOM_SEARCH_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_ROOM_SEARCH_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// A map without overlaps may miss a bound that the map with overlaps keeps; then the cut has to make room. Parts that are in
+// each other's way are glued elsewhere, slits let them turn aside, seams divide several charts; and since cuts of about the
+// same length can be rearranged to charts that need far more room or far less, longer ones are rearranged as well.
+template <typename ConcurrencyTag>
+class Room_search
+{
+  using Refiner = Cut_refiner<ConcurrencyTag>;
+
+  static constexpr double ideal = Symmetric_Dirichlet_energy::ideal, infinity = std::numeric_limits<double>::infinity();
+  static constexpr double share_before_longer_cuts = 0.5; // of the work for room, to show
+
+public:
+  // The references are kept. `moves_ends`: whether cuts that have room are shortened by that, too, if the effort is for it.
+  Room_search(const Problem& problem, const Context& context, const Cut_parameterizer<ConcurrencyTag>& parameterizer,
+              bool moves_ends)
+    : m_problem(problem), m_context(context), m_parameters(context.parameters), m_parameterizer(parameterizer),
+      m_bound(m_parameters.maximum_average_distortion), m_moves_ends(moves_ends && m_parameters.moves_ends)
+  {}
+
+  // `result`: the map without overlaps of the refiner's cut.
+  void operator()(const Refiner& refiner, double repair_threshold, Component_result& result) const
+  {
+    if(!m_parameters.has_bound() || !m_parameters.do_bijective || result.energy <= m_bound ||
+       !m_context.control.go_further())
+      return;
+    const double cost_with_overlaps = result.cost;
+    make_room(refiner, repair_threshold, result);
+    result.cost_of_room = result.cost - cost_with_overlaps;
+  }
+
+private:
+  // A map without overlaps that has too little room, and the best one of the same cut that may overlap.
+  struct Crowded
+  {
+    Component_result result;
+    Open_chart overlapping;
+  };
+
+  void make_room(const Refiner& refiner, double repair_threshold, Component_result& result) const
+  {
+    constexpr double little = 0.02, much = 0.1; // of the cost
+    std::vector<Crowded> crowded = {{result, refiner.cut().chart()}};
+    crowded[0].result.trade_offs.clear();
+    const double enough_cost = (1 + little) * result.cost, high_cost = (1 + much) * result.cost;
+    const auto costs_more_than = [&](double cost) { return !keeps_bound(result) || result.cost > cost; };
+    if(auto overlapping = reglue(crowded[0].overlapping, true, result))
+      crowded.push_back({result, std::move(*overlapping)});
+    const bool is_rearranged = crowded.size() > 1;
+    if(is_rearranged || m_parameters.opens_slits_first)
+      open_slits(crowded.back(), result);
+    m_context.control.report(Phase::PARAMETERIZE, share_before_longer_cuts);
+    if(!costs_more_than(enough_cost))
+      return;
+    const bool needs_seams = !keeps_bound(result); // so that it is known what longer cuts must not cost
+    if(needs_seams)
+      divide(crowded, result);
+    Component_result longer = lengthened(refiner, repair_threshold, crowded, keeps_bound(result) ? result.cost : infinity);
+    take_better(longer, result);
+    if(!needs_seams && costs_more_than(high_cost))
+      divide(crowded, result);
+    if(is_rearranged && m_parameters.opens_slits_first && costs_more_than(high_cost))
+      open_slits(crowded[0], result);
+    if(keeps_bound(result))
+      return;
+    relieve(refiner.cut().chart(), longer); // by slits that lower its energy, of which only some make room
+    take_better(std::move(longer), result);
+  }
+
+  bool keeps_bound(const Component_result& result) const { return result.has_map && result.energy <= m_bound; }
+
+  void take_better(Component_result other, Component_result& result) const
+  {
+    if(rank_of_result(other, m_parameters) < rank_of_result(result, m_parameters))
+      std::swap(other, result);
+    result.add(other.trade_offs);
+  }
+
+  std::optional<Open_chart> reglue(const Open_chart& overlapping, bool shortens, Component_result& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    return m_parameterizer.reglue(overlapping, m_bound, shortens, result);
+  }
+
+  void relieve(const Open_chart& overlapping, Component_result& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    m_parameterizer.relieve(overlapping, m_bound, result);
+  }
+
+  // Whether slits are worth moving ends, the effort says.
+  void open_slits(const Crowded& crowded, Component_result& result) const
+  {
+    Component_result relieved = crowded.result;
+    relieve(crowded.overlapping, relieved);
+    if(keeps_bound(relieved) && m_parameters.opens_slits_first)
+      shorten(relieved);
+    if(keeps_bound(relieved))
+      take_better(std::move(relieved), result);
+  }
+
+  // Slits gain in whole paths, and other branches contribute less then. Several charts stay as they are.
+  void shorten(Component_result& result) const
+  {
+    if(result.chart.border_loops().size() > 1)
+      return;
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    m_parameterizer.trim(m_bound, result);
+    if(!m_moves_ends)
+      return;
+    m_parameterizer.move_ends_and_ways(m_bound, result);
+    m_parameterizer.trim(m_bound, result); // that may have left some room below the bound
+  }
+
+  void divide(const std::vector<Crowded>& crowded, Component_result& result) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    for(const Crowded& c : crowded)
+    {
+      Component_result divided = c.result;
+      if(c.overlapping.energy <= m_bound && m_context.control.go_further() &&
+         m_parameterizer.divide(c.overlapping, m_bound, divided))
+        take_better(std::move(divided), result);
+    }
+  }
+
+  // The cheapest of longer cuts whose bijective maps, rearranged, keep the bound: bisection over what is asked of the map with
+  // overlaps, between what failed and what did not. At first that is lowered by half of what is missing, since longer cuts need
+  // less room. Cuts that cost as much as `limit` are not mapped. If none keeps the bound, the one nearest to it.
+  Component_result lengthened(const Refiner& start, double repair_threshold, const std::vector<Crowded>& crowded,
+                              double limit) const
+  {
+    constexpr int maximum_number_of_rounds = 6, solves = 10;
+    // As long as no round keeps the bound: about twenty seconds, after which none has been seen to keep it.
+    constexpr double maximum_number_of_solved_faces = 5e6;
+    double number_of_solved_faces = 0;
+    // Of what the bound leaves above the ideal: how precisely the target is found, and the shortest step to it.
+    constexpr double relative_precision = 0.02, shortest_step = 0.1;
+    const double excess = m_bound - ideal;
+    // Down by what is missing, and not by more than half of what is left.
+    const auto lowered = [&](double former, double by)
+    { return (std::max)(former - (std::max)(by, shortest_step * excess), (former + ideal) / 2); };
+    Component_result best = crowded[0].result;
+    double failed = m_bound, kept = ideal, target = lowered(m_bound, (crowded.back().result.energy - m_bound) / 2);
+    for(int round = 0; round < maximum_number_of_rounds && failed - kept > relative_precision * excess &&
+                       m_context.control.go_further(); ++round)
+    {
+      if(kept == ideal && number_of_solved_faces > maximum_number_of_solved_faces)
+        break;
+      Refiner refiner = start;
+      lower(refiner, {target, repair_threshold, solves});
+      number_of_solved_faces += double(refiner.cut().trade_offs().size()) * m_problem.mesh.number_of_faces();
+      best.add(refiner.cut().trade_offs());
+      double energy = ideal; // of the rearranged map: as if it were enough where the cut costs too much
+      if(refiner.cut().cost() < limit)
+      {
+        Component_result result = crowded[0].result;
+        energy = map_with_room(refiner, result);
+        if(keeps_bound(result))
+          limit = (std::min)(limit, result.cost);
+        take_better(std::move(result), best);
+      }
+      m_context.control.report(Phase::PARAMETERIZE,
+                               share_before_longer_cuts * (1 + double(round) / maximum_number_of_rounds));
+      (energy <= m_bound ? kept : failed) = target;
+      target = kept > ideal ? (kept + failed) / 2 : lowered(target, energy - m_bound);
+    }
+    if(keeps_bound(best) && m_parameters.opens_slits_first)
+      shorten(best);
+    return best;
+  }
+
+  void lower(Refiner& refiner, const Refinement_goal& goal) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    refine(refiner, goal, m_parameters);
+  }
+
+  // Returns the energy before slits: they are for what little is missing then.
+  double map_with_room(const Refiner& refiner, Component_result& result) const
+  {
+    m_parameterizer(refiner.cut(), result);
+    if(!result.has_map)
+      return infinity;
+    if(result.energy <= m_bound)
+      return result.energy;
+    const std::optional<Open_chart> rearranged = reglue(refiner.cut().chart(), false, result);
+    const double energy = result.energy;
+    if(rearranged && energy > m_bound)
+      relieve(*rearranged, result);
+    return energy;
+  }
+
+  const Problem& m_problem;
+  const Context m_context;
+  const Cutting_parameters& m_parameters;
+  const Cut_parameterizer<ConcurrencyTag>& m_parameterizer;
+  const double m_bound;
+  const bool m_moves_ends;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_ROOM_SEARCH_H
