@@ -50,7 +50,7 @@ public:
   // `result`: the map without overlaps of the refiner's cut.
   void operator()(const Refiner& refiner, double repair_threshold, Component_result& result) const
   {
-    if(!m_parameters.has_bound() || !m_parameters.do_bijective || result.energy <= m_bound ||
+    if(!m_parameters.has_bound() || !m_parameters.do_bijective || !(result.energy > m_bound) || // nor if it is not a number
        !m_context.control.go_further())
       return;
     const double cost_with_overlaps = result.cost;
