@@ -62,12 +62,12 @@ Exit status:
   2  wrong usage, or an output cannot be written
   3  the input cannot be read, is truncated, or has indices out of range
   4  the mesh is not supported (coordinates that are not finite, no faces; with --strict, also what
-     is not triangles, not a manifold or inconsistently oriented), or no cut satisfies the
-     constraints; the message says where, counting from 0
+     is not triangles, not a manifold or inconsistently oriented), no cut satisfies the constraints,
+     or the margins leave no room for so many charts; the message says where, counting from 0
   5  no valid result was found
   6  stopped by the time limit, which counts from the start of the program, or by Ctrl-C (a second
      Ctrl-C ends at once); a valid result found by then is written, and the message says so
-  7  the result is valid, but misses a requested bound
+  7  the result is valid, but misses a requested bound, or the proof that --connect exact asks for
 With 2 to 5, only the JSON report is written. No output replaces an input or another output; if
 --json names such a place, there is no report. If the command line is not understood, the report
 replaces at most a former report.
@@ -148,7 +148,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, Target& target,
 void add_input_options(CLI::App& app, Options& options)
 {
   const std::string group = "Input";
-  app.add_flag("--strict", options.is_strict, "Refuse what is otherwise interpreted (see above)")->group(group);
+  app.add_flag("--strict", options.is_strict, "Refuse what is otherwise interpreted (see below)")->group(group);
   app.add_option("--weld", options.weld,
                  "Whether vertices at exactly the same point count as one;\nauto: for STL, and where no two faces share a vertex")
     ->check(CLI::IsMember({"auto", "on", "off"}))->default_str(options.weld)->group(group);
@@ -200,7 +200,7 @@ void add_method_options(CLI::App& app, Options& options)
                  "How hard to look for a short cut: fast does not shorten\nit without a bound, default tries a few starts, best\nmany more and "
                  "combinations of them")
     ->check(CLI::IsMember({"fast", "default", "best"}))->default_str(options.effort)->group(group);
-  app.add_flag("--faithful", options.is_faithful, "The published method to the letter")->group(group);
+  app.add_flag("--faithful", options.is_faithful, "The published method, for comparisons")->group(group);
   app.add_option("--connect", options.connect,
                  "How to connect the feature points: minimum spanning tree,\nshortest path heuristic, "
                  "auxiliary points added and exchanged\n(only added with --faithful), proven shortest, or the\nbest within a budget")

@@ -24,7 +24,7 @@ enum class Effort
 {
   FAST,    ///< feature detection and connection only, unless a bound or an initial cut requires more, or the connected
            ///< cut is twice as distorted as that of the detection
-  DEFAULT, ///< a small search: several starts, without a bound, the best of which is shortened at about the same
+  DEFAULT, ///< a small search: a few starts, the best of which is shortened; without a bound, at about the same
            ///< distortion
   BEST     ///< a large search: more starts, also combined with each other, and all that the smaller efforts find from
            ///< several seeds; the best result wins

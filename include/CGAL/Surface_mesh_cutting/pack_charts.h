@@ -94,8 +94,8 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of progress, and can end the run: it is asked once a first packing is found, often,
-///                           before what takes long}
+///     \cgalParamDescription{is told of progress, and can end the run: once a first packing is found, it is asked often,
+///                           before each step that takes long}
 ///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}

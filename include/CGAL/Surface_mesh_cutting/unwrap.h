@@ -55,9 +55,9 @@ namespace Surface_mesh_cutting {
 ///                           they of the same chart or of different ones}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{Where the plane has too little room, the cut grows: slits let parts of a chart turn aside, and where
-///                     these do not help, there are several charts, see \ref smc_bijective. Flattening takes about three
-///                     times as long where charts would overlap otherwise.}
+///     \cgalParamExtra{Where the plane has too little room, parts of a chart are glued elsewhere, slits let them turn
+///                     aside, and where these do not help, there are several charts, see \ref smc_bijective. With a
+///                     bound, this can take longer than all else.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \copydetails PkgSurfaceMeshCuttingQualityParameters

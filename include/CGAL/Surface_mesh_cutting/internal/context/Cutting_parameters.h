@@ -115,8 +115,13 @@ struct Cutting_parameters
 
   bool has_bound() const { return maximum_average_distortion < std::numeric_limits<double>::infinity(); }
 
-  // Of a map with that energy, over the bound.
-  double excess(double energy) const { return has_bound() ? (std::max)(0., energy - maximum_average_distortion) : 0; }
+  // Of a map with that energy, over the bound; infinite if it is not a number.
+  double excess(double energy) const
+  {
+    if(!has_bound() || energy <= maximum_average_distortion)
+      return 0;
+    return energy > maximum_average_distortion ? energy - maximum_average_distortion : std::numeric_limits<double>::infinity();
+  }
 
   // Cost: to remove less of a cut is not worth another map.
   double least_removal() const

@@ -43,16 +43,16 @@ namespace internal {
 class Chart_division
 {
 public:
-  // The references are kept.
-  Chart_division(const Problem& problem, const Open_chart& overlapping)
+  // The references to the problem and to the chart are kept.
+  Chart_division(const Problem& problem, const Context& context, const Open_chart& overlapping)
     : m_problem(problem), m_overlapping(overlapping), m_cut(overlapping.cut)
   {
-    m_is_complete = bisect_all();
+    m_is_complete = bisect_all(context.control);
     if(m_is_complete)
       join();
   }
 
-  // False if edges that must not be cut leave no way to divide the disk.
+  // False if edges that must not be cut leave no way to divide the disk, or if the run was stopped.
   bool is_complete() const { return m_is_complete; }
 
   // The cut with the seams between the parts.
@@ -62,13 +62,15 @@ public:
 
 private:
   // Each path ends on the border of the part that it divides, so that all parts are disks.
-  bool bisect_all()
+  bool bisect_all(Run_control& control)
   {
     std::vector<Indexed_component> parts = split_along(m_problem.mesh, m_cut);
     while(!parts.empty())
     {
       const Indexed_component part = std::move(parts.back());
       parts.pop_back();
+      if(!control.go_further())
+        return false;
       const Chart_bisection bisection(part.mesh, costs_of(part), uv_of(part));
       if(!bisection.is_needed())
         continue;

@@ -64,7 +64,7 @@ public:
       m_area(surface_area(problem.shapes))
   {}
 
-  // Across the seams that save most for the energy, none of which adds more than `energy_per_cost`, as long as the energy of
+  // Joins parts across the seams that save most for the energy, none of which adds more than `energy_per_cost`, as long as the energy of
   // all is at most `goal`. What a joint adds grows with its parts: what it was before is where to look first, and what was too
   // much remains so.
   void join(double goal, double energy_per_cost)
@@ -138,7 +138,8 @@ private:
 
   Connected_parts current_parts() const { return Connected_parts(make_chart(m_problem.mesh, m_cut).opposites()); }
 
-  // Those that are tried at first: with the most expensive seams, so many as do not take too long.
+  // Those that are tried at first: with the most expensive seams, so many as do not take too long. The others follow one by
+  // one, as long as there is time, once two parts have been joined.
   std::vector<Joint> first_joints(const Connected_parts& parts) const
   {
     constexpr double enough_faces = 400000; // of all their parts

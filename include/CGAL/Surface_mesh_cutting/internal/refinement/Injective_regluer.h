@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/connection/Initial_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_regluing.h>

@@ -22,7 +22,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_regluer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_trimmer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/coarse_slits.h>
 
@@ -80,6 +79,8 @@ public:
     }
     if(!result.has_map || m_context.control.is_stopped())
       result.status = failure(m_context.control);
+    else
+      result.status.finding = Finding(); // even if another cut had no map
   }
 
   // What is known of `edges`, a cut made from a working one.
@@ -165,14 +166,14 @@ public:
 
   // Replaces the map by one without overlaps of several charts: parts of the given one, as many as it takes for an energy of
   // at most `goal` if that is possible. Without a bound, no seam costs more than what it gains is worth. False if edges that
-  // must not be cut leave no way, or if the given map does not converge.
+  // must not be cut leave no way, if the given map does not converge, or if the run is stopped.
   bool divide(const Open_chart& overlapping, double goal, Component_result& result) const
   {
     Open_chart chart = overlapping;
     const Newton_result newton = converged_map(m_problem, overlapping, m_context, chart.uv);
     if(newton.outcome == Newton_outcome::FAILED)
       return false;
-    const Chart_division division(m_problem, chart);
+    const Chart_division division(m_problem, m_context, chart);
     if(!division.is_complete())
       return false;
     Chart_joining joining(m_problem, m_context, chart, division, hopeless);

@@ -14,11 +14,13 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -40,7 +42,7 @@ class Room_search
   static constexpr double share_before_longer_cuts = 0.5; // of the work for room, to show
 
 public:
-  // The references are kept. `moves_ends`: whether cuts that have room are shortened by that, too, if the effort is for it.
+  // The references are kept. `moves_ends`: whether the ends of cuts that have room are moved, if the effort says so.
   Room_search(const Problem& problem, const Context& context, const Cut_parameterizer<ConcurrencyTag>& parameterizer,
               bool moves_ends)
     : m_problem(problem), m_context(context), m_parameters(context.parameters), m_parameterizer(parameterizer),
@@ -92,7 +94,9 @@ private:
       open_slits(crowded[0], result);
     if(keeps_bound(result))
       return;
-    relieve(refiner.cut().chart(), longer); // by slits that lower its energy, of which only some make room
+    // Slits for what its own map with overlaps has no room for were not enough: now those for what is above that of the shorter
+    // cut, which lower the distortion as well.
+    relieve(refiner.cut().chart(), longer);
     take_better(std::move(longer), result);
   }
 
@@ -117,7 +121,7 @@ private:
     m_parameterizer.relieve(overlapping, m_bound, result);
   }
 
-  // Whether slits are worth moving ends, the effort says.
+  // The effort decides whether the cut is shortened after slits.
   void open_slits(const Crowded& crowded, Component_result& result) const
   {
     Component_result relieved = crowded.result;
@@ -154,14 +158,17 @@ private:
   }
 
   // The cheapest of longer cuts whose bijective maps, rearranged, keep the bound: bisection over what is asked of the map with
-  // overlaps, between what failed and what did not. At first that is lowered by half of what is missing, since longer cuts need
-  // less room. Cuts that cost as much as `limit` are not mapped. If none keeps the bound, the one nearest to it.
+  // overlaps, between what failed and what did not. At first that is lowered by half of what is missing: a longer cut lowers
+  // the energy of the map without overlaps, too. Cuts that cost as much as `limit` are not mapped. If none keeps the bound, the
+  // one nearest to it.
   Component_result lengthened(const Refiner& start, double repair_threshold, const std::vector<Crowded>& crowded,
                               double limit) const
   {
     constexpr int maximum_number_of_rounds = 6, solves = 10;
-    // As long as no round keeps the bound: about twenty seconds, after which none has been seen to keep it.
+    // As long as nothing is known to be enough, in maps of longer cuts: about twenty seconds, after which none has been seen to
+    // keep the bound.
     constexpr double maximum_number_of_solved_faces = 5e6;
+    const auto seen_before = std::ptrdiff_t(start.cut().trade_offs().size());
     double number_of_solved_faces = 0;
     // Of what the bound leaves above the ideal: how precisely the target is found, and the shortest step to it.
     constexpr double relative_precision = 0.02, shortest_step = 0.1;
@@ -178,8 +185,9 @@ private:
         break;
       Refiner refiner = start;
       lower(refiner, {target, repair_threshold, solves});
-      number_of_solved_faces += double(refiner.cut().trade_offs().size()) * m_problem.mesh.number_of_faces();
-      best.add(refiner.cut().trade_offs());
+      const std::vector<Trade_off>& all = refiner.cut().trade_offs();
+      number_of_solved_faces += double(all.size() - seen_before) * m_problem.mesh.number_of_faces();
+      best.add({all.begin() + seen_before, all.end()});
       double energy = ideal; // of the rearranged map: as if it were enough where the cut costs too much
       if(refiner.cut().cost() < limit)
       {
@@ -190,7 +198,7 @@ private:
         take_better(std::move(result), best);
       }
       m_context.control.report(Phase::PARAMETERIZE,
-                               share_before_longer_cuts * (1 + double(round) / maximum_number_of_rounds));
+                               share_before_longer_cuts * (1 + double(round + 1) / maximum_number_of_rounds));
       (energy <= m_bound ? kept : failed) = target;
       target = kept > ideal ? (kept + failed) / 2 : lowered(target, energy - m_bound);
     }

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Room_search.h>
@@ -140,6 +141,7 @@ public:
       return results;
     const double repair_threshold = refiner.cut().energy() + m_parameters.minimum_distortion_decrease;
     refine_and_parameterize(refiner, goal(repair_threshold, number_of_solves()), shortened);
+    shortened.add(refiner.cut().trade_offs());
     if(shortened.has_map)
       results.push_back(std::move(shortened));
     return results;
