@@ -64,9 +64,9 @@ public:
       m_area(surface_area(problem.shapes))
   {}
 
-  // Joins parts across the seams that save most for the energy, none of which adds more than `energy_per_cost`, as long as the energy of
-  // all is at most `goal`. What a joint adds grows with its parts: what it was before is where to look first, and what was too
-  // much remains so.
+  // Joins parts across the seams that save most for the energy, none of which adds more than `energy_per_cost`, as long as the
+  // energy of all is at most `goal`. What a joint adds grows with its parts: what it was before is where to look first, and what
+  // was too much remains so.
   void join(double goal, double energy_per_cost)
   {
     const Connected_parts parts = current_parts();
@@ -74,21 +74,25 @@ public:
     execute(m_context.parameters.linear_solvers->execution(), int(joints.size()), [&](int i) { try_joint(joints[i]); });
     for(const Joint& joint : joints)
       m_number_of_solved_faces += joint.number_of_solved_faces;
-    while(!joints.empty() && has_time())
+    const auto pays = [&](const Joint& joint)
+    {
+      return energy() + joint.loss <= goal && joint.loss_per_cost() <= energy_per_cost && joint.loss_per_cost() < infinity;
+    };
+    while(!joints.empty() && m_context.control.go_further())
     {
       Joint& best = *std::min_element(joints.begin(), joints.end(), [](const Joint& a, const Joint& b)
                                       { return a.loss_per_cost() < b.loss_per_cost(); });
       if(best.loss == infinity)
         return;
-      if(!best.is_current)
+      if(!best.is_current && has_time())
       {
         try_joint(best);
         m_number_of_solved_faces += best.number_of_solved_faces;
       }
-      else if(energy() + best.loss > goal || best.loss_per_cost() > energy_per_cost || best.loss_per_cost() == infinity)
-        best.loss = infinity;
-      else
+      else if(best.is_current && pays(best))
         joints = joined(best, std::move(joints));
+      else
+        best.loss = infinity;
     }
   }
 
@@ -130,16 +134,17 @@ private:
     return energies;
   }
 
+  // For further trials; joints that are known to be possible take none.
   bool has_time() const
   {
     constexpr double enough_solved_faces = 1e7; // one for each triangle in each factorization: some twenty seconds
-    return m_number_of_solved_faces <= enough_solved_faces && m_context.control.go_further();
+    return m_number_of_solved_faces <= enough_solved_faces;
   }
 
   Connected_parts current_parts() const { return Connected_parts(make_chart(m_problem.mesh, m_cut).opposites()); }
 
-  // Those that are tried at first: with the most expensive seams, so many as do not take too long. The others follow one by
-  // one, as long as there is time, once two parts have been joined.
+  // Those that are tried at first, together: with the most expensive seams, so many as do not take too long. The others follow
+  // one by one, as long as there is time, once two parts have been joined.
   std::vector<Joint> first_joints(const Connected_parts& parts) const
   {
     constexpr double enough_faces = 400000; // of all their parts
