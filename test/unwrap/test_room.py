@@ -131,7 +131,7 @@ class Room(Case):
                 self.assertLessEqual(report["E_iso"], bound)
 
     def test_longer_cuts_keep_charts_whole(self):
-        """Slits of the shortest cut do not keep such bounds, nor does it in one chart with its parts elsewhere: longer ones do."""
+        """Neither slits nor parts that are glued elsewhere let the shortest cut keep such bounds in one chart; longer cuts do."""
         mesh = MESH_DIR / "mpi_triang.off"
         if not mesh.is_file():
             self.skipTest(f"there is no {mesh}")

@@ -7,6 +7,12 @@ One hole in each square of side 1, so that the genus is ROWS * COLUMNS.
 """
 import argparse
 import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "Robustness" / "corpus"))
+
+from off_files import write_off  # noqa: E402
 
 
 def plate(rows, columns, segments, radius, thickness):
@@ -47,13 +53,6 @@ def plate(rows, columns, segments, radius, thickness):
         a, b, c, d = corners[(0, *p)], corners[(0, *q)], corners[(1, *p)], corners[(1, *q)]
         triangles += [(a, b, d), (a, d, c)]
     return points, triangles
-
-
-def write_off(file, points, triangles):
-    with open(file, "w", encoding="ascii") as out:
-        out.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
-        out.writelines("%.17g %.17g %.17g\n" % p for p in points)
-        out.writelines("3 %d %d %d\n" % t for t in triangles)
 
 
 def main():

@@ -12,8 +12,9 @@ sys.path.insert(0, str(HERE.parents[1] / "scoreboard"))
 
 from bench import PUBLISHED, Failed, Measured, Missing, cut_seconds, mean_of, total_seconds  # noqa: E402
 from driver import Claim, run  # noqa: E402
-from make_plate import plate, write_off  # noqa: E402
+from make_plate import plate  # noqa: E402
 from meshes import FIGURES, HANDLES  # noqa: E402
+from off_files import write_off  # noqa: E402
 from sizes import measure_factorization, measure_sizes, measure_solvers  # noqa: E402
 
 RIVALS = HERE.parents[1] / "results" / "rivals.csv"

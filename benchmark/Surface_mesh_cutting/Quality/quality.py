@@ -14,6 +14,7 @@ from driver import Claim, run  # noqa: E402
 from known_cuts import measure_known  # noqa: E402
 from layouts import measure_packing, measure_weights  # noqa: E402
 from meshes import CLOSED, FIGURES  # noqa: E402
+from room import measure_ramp, measure_room  # noqa: E402
 from searches import measure_best, measure_optcuts, measure_seeds  # noqa: E402
 from trees import measure_many_terminals, measure_pace, measure_trees  # noqa: E402
 
@@ -111,6 +112,13 @@ CLAIMS = [
           "On {surfaces} surfaces, layouts without overlaps take {default_time_percent:+.0f} % time for {default_energy:+.4f} mean "
           "distortion and {default_length_percent:+.1f} % length, with effort fast {fast_time_percent:+.0f} % for {fast_energy:+.4f} "
           "and {fast_length_percent:+.1f} %; overlaps left: {overlaps}", measure_overlaps),
+    Claim("room", 5,
+          "On {surfaces} surfaces whose charts are crowded, a bound of 4.03 is kept without overlaps on {kept}, with cuts that are "
+          "{length_percent:.0f} % longer in sum than with overlaps, {whole} not divided further, in {seconds:.0f} s",
+          measure_room),
+    Claim("ramp", 0.5,
+          "A ramp of {turns} turns and {triangles:,} triangles becomes {charts} charts without overlaps, with a cut of {length:.2f} "
+          "diagonals", measure_ramp),
     Claim("coarse", 1,
           "On {surfaces} larger surfaces, feature points of a coarser version are found {times_as_fast:.1f} times as fast, for "
           "{energy:+.4f} mean distortion and {length_percent:+.1f} % length", measure_coarse),

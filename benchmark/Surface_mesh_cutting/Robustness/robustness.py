@@ -3,7 +3,6 @@
 claims."""
 
 import collections
-import math
 import pathlib
 import subprocess
 import sys
@@ -14,6 +13,7 @@ sys.path.insert(0, str(HERE.parents[1] / "scoreboard"))
 from bench import Measured  # noqa: E402
 from driver import Claim, run  # noqa: E402
 from meshes import CLOSED  # noqa: E402
+from ramp import write_ramp  # noqa: E402
 
 VARIANTS = 1000
 LIMIT = 60  # seconds, of the program itself: then it writes the best result so far
@@ -93,20 +93,6 @@ def measure_first_maps(bench):
         "cuts": len(cuts)})
 
 
-def write_ramp(path, turns, steps_per_turn=200, width=32):
-    """A ramp of many turns: without overlaps, it becomes many charts."""
-    length = turns * steps_per_turn
-    with open(path, "w", encoding="ascii") as file:
-        file.write(f"OFF\n{(length + 1) * (width + 1)} {2 * length * width} 0\n")
-        for i in range(length + 1):
-            angle = 2 * math.pi * i / steps_per_turn
-            for j in range(width + 1):
-                radius = 1 + j / width
-                file.write(f"{radius * math.cos(angle)} {radius * math.sin(angle)} {0.05 * angle}\n")
-        for a in (i * (width + 1) + j for i in range(length) for j in range(width)):
-            file.write(f"3 {a} {a + width + 1} {a + width + 2}\n3 {a} {a + width + 2} {a + 1}\n")
-
-
 def latest_end(bench, mesh, effort, limits):
     """Of runs that are stopped: their number, that of triangles, and how long after its time is up the last one ends, with the
     writing of its result."""
@@ -118,12 +104,11 @@ def latest_end(bench, mesh, effort, limits):
 def measure_stops(bench):
     """A large surface, whose search takes long, and one whose division into charts does, at several times."""
     ramp = bench.folder / "ramp.off"
-    write_ramp(ramp, 20)
-    values = {}
-    values["runs"], values["triangles"], values["latest"] = latest_end(bench, bench.options.meshes / "refined_elephant.off", "best",
-                                                                       (1, 2, 3, 5))
-    values["ramp_runs"], values["ramp_triangles"], values["ramp_latest"] = latest_end(bench, ramp, "fast", range(1, 10))
-    return Measured(values)
+    write_ramp(ramp)
+    runs, triangles, latest = latest_end(bench, bench.options.meshes / "refined_elephant.off", "best", (1, 2, 3, 5))
+    ramp_runs, ramp_triangles, ramp_latest = latest_end(bench, ramp, "fast", range(1, 10))
+    return Measured({"runs": runs, "triangles": triangles, "latest": latest, "ramp_runs": ramp_runs,
+                     "ramp_triangles": ramp_triangles, "ramp_latest": ramp_latest})
 
 
 ENDS = "{certified} are unwrapped with a proof, {refused} refused with a reason, {stopped} stopped after a minute, and " \

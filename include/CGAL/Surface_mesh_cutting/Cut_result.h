@@ -63,7 +63,8 @@ struct Cut_result
 
   /// what other cuts offer, from cheap to expensive: the cuts that the run considered, without those that are neither
   /// cheaper nor less distorted than another one. If feature points were detected on a coarser version, some of the cuts
-  /// are measured there; with `do_bijective`, the distortion of all but the result is that of maps that may overlap. Empty for several components, and where constrained edges separate the surface.
+  /// are measured there; with `do_bijective`, the distortion of all but the result is that of maps that may overlap.
+  /// Empty for several components, and where constrained edges separate the surface.
   std::vector<Trade_off> trade_offs;
 
   Phase_times seconds;     ///< wall time.

@@ -16,6 +16,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "corpus"))
 
+from off_files import write_off  # noqa: E402
 from run_corpus import meshes_in  # noqa: E402
 
 
@@ -77,13 +78,6 @@ def polygons(faces, numbers):
 
 
 KINDS = {"plain": lambda faces, numbers: faces, "soup": soup, "polygons": polygons}
-
-
-def write_off(file, points, faces):
-    lines = ["OFF", f"{len(points)} {len(faces)} 0"]
-    lines += (f"{x!r} {y!r} {z!r}" for x, y, z in points)
-    lines += (" ".join(map(str, (len(face), *face))) for face in faces)
-    file.write_text("\n".join(lines) + "\n")
 
 
 def main():

@@ -114,7 +114,6 @@ public:
     Refinement_goal goal = this->goal(start.repair_threshold, start.is_refined ? 0 : number_of_solves());
     goal.is_prepared = start.is_prepared;
     refine_and_parameterize(*start.refiner, goal, start.result);
-    start.result.add(start.refiner->cut().trade_offs());
     start.result.keep_undominated_trade_offs();
     return std::move(start.result);
   }
@@ -141,7 +140,6 @@ public:
       return results;
     const double repair_threshold = refiner.cut().energy() + m_parameters.minimum_distortion_decrease;
     refine_and_parameterize(refiner, goal(repair_threshold, number_of_solves()), shortened);
-    shortened.add(refiner.cut().trade_offs());
     if(shortened.has_map)
       results.push_back(std::move(shortened));
     return results;
@@ -239,6 +237,7 @@ private:
     m_parameterizer(refiner.cut(), result);
     m_room_search(refiner, goal.repair_threshold, result);
     say_if_missed(result);
+    result.add(refiner.cut().trade_offs());
     m_control.report(Phase::PARAMETERIZE, 1);
   }
 
