@@ -30,6 +30,11 @@ def cross(arms):
     return list(points), faces
 
 
+def cap(mesh, lowest):
+    """What is above that height: a disk."""
+    return mesh[0], [f for f in mesh[1] if min(mesh[0][v][2] for v in f) > lowest]
+
+
 MESHES = {"bumps": with_bumps(sphere(3)), "torus": torus(12)}
 
 
@@ -65,6 +70,15 @@ class Efforts(Case):
                     _, report = self.report("cross.off", *options, effort)
                     self.assertEqual((report["status"], report["overlaps"]), ("done", 0))
                     self.assertLessEqual(report["E_iso"], 4.1)
+
+    # Where the border is cut enough, there is nothing to save.
+    def test_nothing_is_searched_where_nothing_is_cut(self):
+        self.write("cap.off", to_off(cap(sphere(4), 0.7)))
+        for effort in ("fast", "default"):
+            with self.subTest(effort=effort):
+                _, report = self.report("cap.off", "-o", "out.obj", "--quiet", "--max-distortion", "4.1", "--effort", effort)
+                self.assertEqual((report["status"], report["cut_length"]), ("done", 0))
+                self.assertLessEqual(report["factorized_unknowns"]["refine"], 4 * 2 * report["vertices"])
 
 
 main()

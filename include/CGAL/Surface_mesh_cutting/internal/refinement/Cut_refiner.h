@@ -196,7 +196,7 @@ public:
     m_solves_left = limits.number_of_solves;
     std::vector<char> is_kept = m_problem.terminal_marks();
     drop_branches(limits, m_solves_left, is_kept);
-    while(m_solves_left > 0 && m_cut.goes_on() && exchange(limits, is_kept))
+    while(m_solves_left > 0 && m_cut.goes_on() && has_branch(is_kept) && exchange(limits, is_kept))
       continue;
     if(!m_cut.is_connected() && !m_cut.is_stopped())
       reconnect(limits);
@@ -249,6 +249,15 @@ private:
     }
     m_cut.restore(std::move(former));
     return false;
+  }
+
+  // Whether there is a branch that can be dropped or trimmed, whatever that takes. Without one, slits are exchanged for
+  // nothing.
+  bool has_branch(const std::vector<char>& is_kept)
+  {
+    const double least = m_parameters.least_removal();
+    const auto allowed_energy = [least](double cost) { return cost < least ? 0 : infinity; };
+    return m_removals.best(m_cut.map(), m_cut.features(), is_kept, allowed_energy).tip >= 0;
   }
 
   // Until so many attempts have failed.
