@@ -92,6 +92,15 @@ public:
     return best;
   }
 
+  // Whether any part of a branch can be closed, whatever energy that takes; those with the tip at a vertex with `is_kept`
+  // stay.
+  bool exist(const Cut& cut, const std::vector<char>& is_kept) const
+  {
+    const std::vector<Leaf_branch> branches = leaf_branches(m_mesh, cut, is_kept);
+    return std::any_of(branches.begin(), branches.end(), [&](const Leaf_branch& branch)
+                       { return !is_kept[branch.vertices.front()] && number_of_free_edges(branch) > 0; });
+  }
+
   // The whole branch that costs most, of those without mandatory edges and with another tip than at `is_kept`, where
   // branches end in any case.
   Branch_removal most_expensive(const Cut& cut, const std::vector<char>& is_kept) const

@@ -188,15 +188,15 @@ public:
   }
 
   // Drops or trims branches, those first that seem to cost least energy for their cost. Then exchanges: slits
-  // with the best gain per cost are opened until more of the branches can be dropped than was opened. All as
-  // long as the limits allow and the budget of solves lasts. What is left is straightened by the tree through the
+  // with the best gain per cost are opened until more of the branches, if there are any, can be dropped than was opened. All
+  // as long as the limits allow and the budget of solves lasts. What is left is straightened by the tree through the
   // remaining features.
   void shorten(const Refinement_limits& limits)
   {
     m_solves_left = limits.number_of_solves;
     std::vector<char> is_kept = m_problem.terminal_marks();
     drop_branches(limits, m_solves_left, is_kept);
-    while(m_solves_left > 0 && m_cut.goes_on() && has_branch(is_kept) && exchange(limits, is_kept))
+    while(m_solves_left > 0 && m_cut.goes_on() && m_removals.exist(m_cut.cut(), is_kept) && exchange(limits, is_kept))
       continue;
     if(!m_cut.is_connected() && !m_cut.is_stopped())
       reconnect(limits);
@@ -249,15 +249,6 @@ private:
     }
     m_cut.restore(std::move(former));
     return false;
-  }
-
-  // Whether there is a branch that can be dropped or trimmed, whatever that takes. Without one, slits are exchanged for
-  // nothing.
-  bool has_branch(const std::vector<char>& is_kept)
-  {
-    const double least = m_parameters.least_removal();
-    const auto allowed_energy = [least](double cost) { return cost < least ? 0 : infinity; };
-    return m_removals.best(m_cut.map(), m_cut.features(), is_kept, allowed_energy).tip >= 0;
   }
 
   // Until so many attempts have failed.
