@@ -83,11 +83,16 @@ struct Cutting_parameters
   std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
 
   // On a small surface, features of a still coarser version lead to cuts of about the same quality, and finding them takes
-  // most of the time; on a large one, it does not.
+  // most of the time; on a large one, it does not. Maps of a small one take so little time that trees which are hard to
+  // prove optimal would take most of it.
   Cutting_parameters adapted_to_size(int number_of_faces) const
   {
     constexpr int largest_number_of_faces = 25000;
+    constexpr std::size_t states_per_face = 100;
     Cutting_parameters result = *this;
+    if(!needs_optimal_tree)
+      result.number_of_states_while_refining
+        = (std::min)(number_of_states_while_refining, states_per_face * std::size_t(number_of_faces));
     if(is_coarser_where_small && number_of_faces <= largest_number_of_faces)
     {
       result.coarse_number_of_faces = 3000;

@@ -192,7 +192,8 @@ private:
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::CONNECT);
     m_control.report(Phase::CONNECT, 0);
-    result.status = refiner.connect(detected.features, !detected.is_hopeless);
+    // On its way to a bound, a cut does not remain the tree through these features.
+    result.status = refiner.connect(detected.features, !detected.is_hopeless && !m_parameters.has_bound());
     if(m_control.is_stopped())
       result.status = failure(m_control);
     if(!result.status)
