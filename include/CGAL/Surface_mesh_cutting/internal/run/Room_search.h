@@ -40,6 +40,7 @@ class Room_search
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal, infinity = std::numeric_limits<double>::infinity();
   static constexpr double share_before_longer_cuts = 0.5; // of the work for room, to show
+  static constexpr double little = 0.02, much = 0.1;      // of the cost
 
 public:
   // The references are kept. `moves_ends`: whether the ends of cuts that have room are moved, if the effort says so.
@@ -56,7 +57,11 @@ public:
        !m_context.control.go_further())
       return;
     const double cost_with_overlaps = result.cost;
-    make_room(refiner, repair_threshold, result);
+    const std::optional<Component_result> with_slits = slits_of_near_cut(refiner, result);
+    if(with_slits && keeps_bound(*with_slits) && with_slits->cost <= (1 + little) * cost_with_overlaps)
+      take_better(*with_slits, result);
+    else
+      make_room(refiner, repair_threshold, with_slits, result);
     result.cost_of_room = result.cost - cost_with_overlaps;
   }
 
@@ -68,9 +73,21 @@ private:
     Open_chart overlapping;
   };
 
-  void make_room(const Refiner& refiner, double repair_threshold, Component_result& result) const
+  // Near the bound, slits alone may cost little; then no other arrangement is tried. None if it is not near.
+  std::optional<Component_result> slits_of_near_cut(const Refiner& refiner, const Component_result& result) const
   {
-    constexpr double little = 0.02, much = 0.1; // of the cost
+    constexpr double near = 0.1; // above the bound, relative to what that leaves above the ideal
+    if(!result.has_map || result.energy - m_bound > near * (m_bound - ideal))
+      return std::nullopt;
+    Component_result with_slits = result;
+    open_slits({result, refiner.cut().chart()}, with_slits);
+    return with_slits;
+  }
+
+  // `with_slits`: the given cut with slits, if they were tried.
+  void make_room(const Refiner& refiner, double repair_threshold, const std::optional<Component_result>& with_slits,
+                 Component_result& result) const
+  {
     std::vector<Crowded> crowded = {{result, refiner.cut().chart()}};
     crowded[0].result.trade_offs.clear();
     const double enough_cost = (1 + little) * result.cost, high_cost = (1 + much) * result.cost;
@@ -78,7 +95,9 @@ private:
     if(auto overlapping = reglue(crowded[0].overlapping, true, result))
       crowded.push_back({result, std::move(*overlapping)});
     const bool is_rearranged = crowded.size() > 1;
-    if(is_rearranged || m_parameters.opens_slits_first)
+    if(with_slits)
+      take_better(*with_slits, result);
+    if(is_rearranged || (m_parameters.opens_slits_first && !with_slits))
       open_slits(crowded.back(), result);
     m_context.control.report(Phase::PARAMETERIZE, share_before_longer_cuts);
     if(!costs_more_than(enough_cost))
@@ -90,7 +109,7 @@ private:
     take_better(longer, result);
     if(!needs_seams && costs_more_than(high_cost))
       divide(crowded, result);
-    if(is_rearranged && m_parameters.opens_slits_first && costs_more_than(high_cost))
+    if(is_rearranged && m_parameters.opens_slits_first && !with_slits && costs_more_than(high_cost))
       open_slits(crowded[0], result);
     if(keeps_bound(result))
       return;
