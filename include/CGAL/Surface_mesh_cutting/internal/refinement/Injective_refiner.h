@@ -36,6 +36,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,13 +59,16 @@ public:
       m_is_excluded(problem.mesh.number_of_vertices(), 0)
   {}
 
-  // Until the energy is at most `goal`; false if no slit is found that helps, or if it takes too long.
+  // Until the energy is at most `goal`; false if no slit is found that helps, or if it takes too long. Several slits that
+  // gain more for their cost than one that is enough may cost more together.
   bool lower_to(double goal, Injective_cut& cut)
   {
-    while(cut.map.energy > goal)
-      if(!has_time() || !open_best(goal, cut))
-        return false;
-    return true;
+    m_enough.reset();
+    while(cut.map.energy > goal && costs_less_than_enough(cost(cut)) && has_time() && open_best(goal, cut))
+      continue;
+    if(m_enough && (cut.map.energy > goal || !costs_less_than_enough(cost(cut))))
+      cut = std::move(*m_enough);
+    return cut.map.energy <= goal;
   }
 
   // Opens slits to `tips` together, each from the cut and those before it. If they lead less than half the way to
@@ -96,6 +100,10 @@ private:
     constexpr double enough_solved_faces = 2e6; // one for each triangle in each factorization: some ten seconds
     return m_number_of_solved_faces <= enough_solved_faces && m_context.control.go_further();
   }
+
+  double cost(const Injective_cut& cut) const { return cut_cost(m_problem.constraints, cut.cut); }
+
+  bool costs_less_than_enough(double cost) const { return !m_enough || cost < this->cost(*m_enough); }
 
   struct Trial
   {
@@ -149,16 +157,19 @@ private:
   std::vector<Trial> useful_trials(double goal, const Injective_cut& cut)
   {
     constexpr double least_gain = 2e-4; // less is within the precision of the trials
+    const double former_cost = cost(cut);
     std::vector<Trial> trials;
     for(Slit& slit : proposals(goal, cut))
     {
-      if(!has_time())
+      if(!has_time() || !costs_less_than_enough(former_cost + slit.cost))
         break;
       std::vector<int> ends = cut.ends;
       ends.push_back(slit.tip);
       Injective_cut trial = opened(cut, slit.edges, std::move(ends), goal);
       slit.gain = cut.map.energy - (std::max)(trial.map.energy, goal);
       const bool is_enough = trial.map.energy <= goal;
+      if(is_enough)
+        m_enough = trial;
       if(is_enough || slit.gain > least_gain)
         trials.push_back({std::move(slit), std::move(trial)});
       else
@@ -206,8 +217,7 @@ private:
                                       number_of_slits, std::numeric_limits<double>::infinity(), map);
     if(missing < near * (goal - Symmetric_Dirichlet_energy::ideal))
     {
-      const double cost = cut_cost(m_problem.constraints, cut.cut);
-      const double missing_cost = Length_at_bound(goal)(cost, cut.map.energy) - cost;
+      const double missing_cost = Length_at_bound(goal)(cost(cut), cut.map.energy) - cost(cut);
       add(best_of(m_slits.prolongations(cut.cut, m_is_excluded, missing_cost), number_of_short_slits, missing, map), slits);
     }
     return slits;
@@ -269,6 +279,7 @@ private:
   const std::vector<double> m_reference; // per vertex of the surface
   std::vector<char> m_is_excluded;       // per vertex of the surface
   double m_number_of_solved_faces = 0;
+  std::optional<Injective_cut> m_enough; // the cheapest that was found to reach the goal
 };
 
 } // namespace internal
