@@ -91,11 +91,13 @@ public:
 
   // Opens slits until the energy is at most `bound`, each the one with the best gain per cost, as
   // long as that is more than `least_gain`. The tree through all points is shorter than the cut with
-  // the slits; it is taken if it keeps the bound, too. False if no slit helps any more.
-  bool reduce_distortion_to(double bound, double least_gain = 0)
+  // the slits; it is taken if it keeps the bound, too. False if no slit helps any more, or if so many were not enough.
+  bool reduce_distortion_to(double bound, double least_gain = 0,
+                            int maximum_number_of_slits = (std::numeric_limits<int>::max)())
   {
     constexpr int maximum_number_of_rounds = 3; // of slits and a new tree each
-    for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain); ++round)
+    for(int round = 0; round < maximum_number_of_rounds && open_slits_until(bound, least_gain, maximum_number_of_slits);
+        ++round)
     {
       Mapped_cut former = m_cut.state();
       if(!reconnect(Refinement_limits()))
@@ -104,7 +106,7 @@ public:
         break;
       // A few slits repair what the other tree lost; if that is longer in the end, the former one
       // stays.
-      if(!open_slits_until(bound, least_gain) || m_cut.cost() >= former.cost)
+      if(!open_slits_until(bound, least_gain, maximum_number_of_slits) || m_cut.cost() >= former.cost)
       {
         m_cut.restore(std::move(former));
         break;
@@ -206,12 +208,12 @@ private:
   // A bound that so many slits do not reach is out of reach: bounds that are reached take less than half as many, but
   // for surfaces with many handles, which are distorted everywhere. Each slit takes a solve of the whole; on small
   // surfaces, all take about half a minute.
-  bool open_slits_until(double bound, double least_gain)
+  bool open_slits_until(double bound, double least_gain, int maximum_number_of_slits)
   {
     constexpr int enough_slits = 200, enough_slits_between_handles = 1000, enough_solved_faces = 2000000;
-    const int maximum_number_of_slits
-      = (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
-                   enough_solved_faces / m_mesh.number_of_faces());
+    maximum_number_of_slits
+      = (std::min)(maximum_number_of_slits, (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
+                                                       enough_solved_faces / m_mesh.number_of_faces()));
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     for(int i = 0; m_cut.energy() > bound; ++i)
     {

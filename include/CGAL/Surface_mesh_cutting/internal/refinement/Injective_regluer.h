@@ -106,23 +106,24 @@ private:
   // too far above the goal, longer cuts would make room by chance only.
   bool shorten(double energy, double goal, Refiner& refiner) const
   {
+    constexpr int enough_solves = 20;
     const double gap = (std::max)(0., energy - refiner.cut().energy());
     Refinement_limits limits;
-    limits.number_of_solves = maximum_number_of_solves();
+    limits.number_of_solves = (std::min)(enough_solves, enough_solves_of_whole());
     if(gap >= goal - ideal || limits.number_of_solves == 0)
       return false;
     limits.energy = (std::max)(goal - gap, (goal + ideal) / 2);
-    if(!refiner.reduce_distortion_to(limits.energy))
+    if(!refiner.reduce_distortion_to(limits.energy, 0, enough_solves_of_whole()))
       return false;
     refiner.shorten(limits);
     return true;
   }
 
-  // Each of the whole surface: fewer on large ones, and none on the largest.
-  int maximum_number_of_solves() const
+  // Of the whole surface: fewer on large ones, and none on the largest.
+  int enough_solves_of_whole() const
   {
-    constexpr int enough_solves = 20, enough_solved_faces = 1000000;
-    return (std::min)(enough_solves, enough_solved_faces / m_problem.mesh.number_of_faces());
+    constexpr int enough_solved_faces = 1000000;
+    return enough_solved_faces / m_problem.mesh.number_of_faces();
   }
 
   const Problem& m_problem;

@@ -184,9 +184,9 @@ private:
                               double limit) const
   {
     constexpr int maximum_number_of_rounds = 6, solves = 10;
-    // As long as nothing is known to be enough, in maps of longer cuts: about twenty seconds, after which none has been seen to
-    // keep the bound.
-    constexpr double maximum_number_of_solved_faces = 5e6;
+    // In maps of longer cuts. As long as nothing is known to be enough, about twenty seconds, after which none has been seen to
+    // keep the bound; with what is known, they become hardly shorter.
+    constexpr double maximum_number_of_solved_faces = 5e6, enough_solved_faces = 1e7;
     const auto seen_before = std::ptrdiff_t(start.cut().trade_offs().size());
     double number_of_solved_faces = 0;
     // Of what the bound leaves above the ideal: how precisely the target is found, and the shortest step to it.
@@ -200,7 +200,7 @@ private:
     for(int round = 0; round < maximum_number_of_rounds && failed - kept > relative_precision * excess &&
                        m_context.control.go_further(); ++round)
     {
-      if(kept == ideal && number_of_solved_faces > maximum_number_of_solved_faces)
+      if(number_of_solved_faces > (kept == ideal ? maximum_number_of_solved_faces : enough_solved_faces))
         break;
       Refiner refiner = start;
       lower(refiner, {target, repair_threshold, solves});
