@@ -91,7 +91,8 @@ public:
 
   // Opens slits until the energy is at most `bound`, each the one with the best gain per cost, as
   // long as that is more than `least_gain`. The tree through all points is shorter than the cut with
-  // the slits; it is taken if it keeps the bound, too. False if no slit helps any more, or if so many were not enough.
+  // the slits; it is taken if it keeps the bound, too. False if no slit helps any more, or if
+  // about `maximum_number_of_slits` in a row are not enough.
   bool reduce_distortion_to(double bound, double least_gain = 0,
                             int maximum_number_of_slits = (std::numeric_limits<int>::max)())
   {
@@ -211,13 +212,12 @@ private:
   bool open_slits_until(double bound, double least_gain, int maximum_number_of_slits)
   {
     constexpr int enough_slits = 200, enough_slits_between_handles = 1000, enough_solved_faces = 2000000;
-    maximum_number_of_slits
-      = (std::min)(maximum_number_of_slits, (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
-                                                       enough_solved_faces / m_mesh.number_of_faces()));
+    const int all_slits = (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
+                                     enough_solved_faces / m_mesh.number_of_faces());
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     for(int i = 0; m_cut.energy() > bound; ++i)
     {
-      if(i > maximum_number_of_slits || !m_cut.goes_on())
+      if(i > (std::min)(all_slits, maximum_number_of_slits) || !m_cut.goes_on())
         return false;
       const Slit slit = m_slits.best(m_cut.map(), is_excluded);
       if(slit.tip < 0 || slit.gain_per_cost() < least_gain)

@@ -103,7 +103,8 @@ private:
   }
 
   // As if the map without overlaps stayed as much above the other one as it is. False if that comes to nothing: where it is
-  // too far above the goal, longer cuts would make room by chance only.
+  // too far above the goal, longer cuts would make room by chance only; and what takes many slits is no better than the given
+  // cut with slits.
   bool shorten(double energy, double goal, Refiner& refiner) const
   {
     constexpr int enough_solves = 20;

@@ -57,11 +57,13 @@ public:
        !m_context.control.go_further())
       return;
     const double cost_with_overlaps = result.cost;
-    const std::optional<Component_result> with_slits = slits_of_near_cut(refiner, result);
+    Crowded given = {result, refiner.cut().chart()};
+    given.result.trade_offs.clear();
+    std::optional<Component_result> with_slits = slits_of_near_cut(given);
     if(with_slits && keeps_bound(*with_slits) && with_slits->cost <= (1 + little) * cost_with_overlaps)
-      take_better(*with_slits, result);
+      take_better(std::move(*with_slits), result);
     else
-      make_room(refiner, repair_threshold, with_slits, result);
+      make_room(refiner, repair_threshold, std::move(given), std::move(with_slits), result);
     result.cost_of_room = result.cost - cost_with_overlaps;
   }
 
@@ -74,29 +76,29 @@ private:
   };
 
   // Near the bound, slits alone may cost little; then no other arrangement is tried. None if it is not near.
-  std::optional<Component_result> slits_of_near_cut(const Refiner& refiner, const Component_result& result) const
+  std::optional<Component_result> slits_of_near_cut(const Crowded& given) const
   {
     constexpr double near = 0.1; // above the bound, relative to what that leaves above the ideal
-    if(!result.has_map || result.energy - m_bound > near * (m_bound - ideal))
+    if(!given.result.has_map || given.result.energy - m_bound > near * (m_bound - ideal))
       return std::nullopt;
-    Component_result with_slits = result;
-    open_slits({result, refiner.cut().chart()}, with_slits);
+    Component_result with_slits = given.result;
+    open_slits(given, with_slits);
     return with_slits;
   }
 
   // `with_slits`: the given cut with slits, if they were tried.
-  void make_room(const Refiner& refiner, double repair_threshold, const std::optional<Component_result>& with_slits,
+  void make_room(const Refiner& refiner, double repair_threshold, Crowded given, std::optional<Component_result> with_slits,
                  Component_result& result) const
   {
-    std::vector<Crowded> crowded = {{result, refiner.cut().chart()}};
-    crowded[0].result.trade_offs.clear();
+    std::vector<Crowded> crowded;
+    crowded.push_back(std::move(given));
     const double enough_cost = (1 + little) * result.cost, high_cost = (1 + much) * result.cost;
     const auto costs_more_than = [&](double cost) { return !keeps_bound(result) || result.cost > cost; };
     if(auto overlapping = reglue(crowded[0].overlapping, true, result))
       crowded.push_back({result, std::move(*overlapping)});
     const bool is_rearranged = crowded.size() > 1;
     if(with_slits)
-      take_better(*with_slits, result);
+      take_better(std::move(*with_slits), result); // whether they were tried is still known
     if(is_rearranged || (m_parameters.opens_slits_first && !with_slits))
       open_slits(crowded.back(), result);
     m_context.control.report(Phase::PARAMETERIZE, share_before_longer_cuts);
