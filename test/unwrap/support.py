@@ -201,6 +201,20 @@ def to_ply(mesh, form):
     return header + body
 
 
+def strips_ply(mesh, form, strips):
+    """The faces of the mesh are left out."""
+    data = to_ply((mesh[0], []), form)
+    begin, end = data.index(b"element face"), data.index(b"end_header")
+    header = b"element tristrips %d\nproperty list int int vertex_indices\n" % len(strips)
+    lists = [[len(strip), *strip] for strip in strips]
+    if form == "ascii":
+        body = "".join(" ".join(map(str, numbers)) + "\n" for numbers in lists).encode()
+    else:
+        order = "<" if form == "binary_little_endian" else ">"
+        body = b"".join(struct.pack(f"{order}{len(numbers)}i", *numbers) for numbers in lists)
+    return data[:begin] + header + data[end:] + body
+
+
 def colored_off(mesh):
     """One half of the points is white."""
     lines = to_off(mesh).replace("OFF", "COFF", 1).splitlines()

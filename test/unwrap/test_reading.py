@@ -3,8 +3,8 @@
 import json
 import struct
 
-from support import (Case, joined, main, octahedron, ply_header, read_obj, sphere, to_binary_stl,
-                     to_obj, to_off, to_ply, to_text_stl, torus, without_face)
+from support import (Case, joined, main, octahedron, ply_header, read_obj, sphere, strips_ply,
+                     to_binary_stl, to_obj, to_off, to_ply, to_text_stl, torus, without_face)
 
 SPHERE = sphere(1)
 OFF_POINTS = "".join(line + "\n" for line in to_off(SPHERE).splitlines()[2:20])
@@ -90,6 +90,9 @@ UNREADABLE = {
     "header.ply": "ply\nformat ascii 1.0\nelement vertex 3\n",
     "strips.ply": "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int "
                   "vertex_indices\nend_header\n3 0 1 2\n",
+    "strip_range.ply": strips_ply(SPHERE, "ascii", [[0, 1, 2, -1, 3, 4, 99]]),
+    "strip_end.ply": strips_ply(SPHERE, "ascii", [[0, 1, 2, -2, 3, 4, 5]]),
+    "strip_without_list.ply": strips_ply(SPHERE, "ascii", [[0, 1, 2]]).replace(b"list int int ", b"int "),
     "facets.stl": bytes(80) + struct.pack("<I", 4000000000) + bytes(100),
 }
 TRUNCATED = ["sphere.off", "text.ply", "little.ply", "big.PLY"]
@@ -143,6 +146,21 @@ class Reading(Case):
                 self.assert_same_mesh(SPHERE, "out.obj")
                 results.add(str(read_obj(self.folder / "out.obj")))  # OBJ keeps what else it says
         self.assertEqual(len(results), 1)
+
+    def test_triangle_strips(self):
+        points = [(0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0), (2, 0, 0), (2, 1, 0), (5, 0, 0), (5, 1, 0), (6, 0, 0)]
+        # the second one goes back by repeating vertices
+        strips = [[0, 1, 2, 3, -1, 6, 7, 8], [2, 3, 4, 4, 4, 3, 5]]
+        triangles = [(0, 1, 2), (2, 1, 3), (6, 7, 8), (2, 3, 4), (4, 3, 5)]
+        for form in ("ascii", "binary_little_endian", "binary_big_endian"):
+            with self.subTest(form=form):
+                self.write("in.ply", strips_ply((points, []), form, strips))
+                self.assertEqual(self.report("in.ply", "-o", "out.obj", "--strict")[0], 0)
+                self.assert_same_mesh((points, triangles), "out.obj")
+                self.assertEqual(self.report("in.ply", "-o", "out.ply")[0], 0)  # whose corners have coordinates
+                self.assertEqual(self.report("out.ply", "-o", "again.obj")[0], 0)
+                self.assert_same_mesh((points, triangles), "again.obj")
+                self.assertIn(b"texcoord", (self.folder / "out.ply").read_bytes())
 
     def test_stl_merges_equal_points(self):
         merged = []  # in order of appearance

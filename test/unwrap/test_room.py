@@ -143,6 +143,15 @@ class Room(Case):
                 self.assertLessEqual(report["E_iso"], bound)
                 self.assertEqual(report["charts"], 1)
 
+    def test_threads_find_the_same(self):
+        self.write("a.off", to_off(plate(2)))
+        for bound in (4.1, 4.05):
+            found = set()
+            for threads in (1, 2, 3):
+                report, _ = self.unwrapped("--threads", threads, "--max-distortion", bound)
+                found.add(((self.folder / "out.obj").read_bytes(), str(report["tradeoff"])))
+            self.assertEqual(len(found), 1, bound)
+
     def test_work_for_room_belongs_to_a_phase(self):
         self.write("a.off", to_off(plate(2)))
         report, _ = self.unwrapped("--threads", 1, "--max-distortion", 4.1)

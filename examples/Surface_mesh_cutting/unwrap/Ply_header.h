@@ -35,6 +35,7 @@ struct Ply_header
     std::vector<int> find_point_uv() const;
     bool has_points() const { return name == "vertex" || name == "vertices"; }
     bool has_polygons() const { return name == "face" || name == "faces"; }
+    bool has_strips() const { return name == "tristrips"; }
   };
 
   Format format = Format::TEXT;

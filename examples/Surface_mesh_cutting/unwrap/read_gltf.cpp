@@ -33,6 +33,7 @@ Polygon_soup read_glb(std::string_view, Attributes)
 #include "Point_merger.h"
 #include "byte_order.h"
 #include "file_bytes.h"
+#include "triangle_strip.h"
 
 #include <tiny_gltf.h>
 
@@ -142,14 +143,11 @@ std::vector<int> triangle_corners(const std::vector<int>& vertices, int mode)
 {
   if(mode == TINYGLTF_MODE_TRIANGLES)
     return {vertices.begin(), vertices.end() - std::ptrdiff_t(vertices.size() % 3)};
+  if(mode != TINYGLTF_MODE_TRIANGLE_FAN)
+    return triangles_of_strip(vertices);
   std::vector<int> corners;
   for(std::size_t i = 2; i < vertices.size(); ++i)
-  {
-    const bool is_fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
-    const int a = vertices[is_fan ? 0 : i - 2], b = vertices[i - 1], c = vertices[i];
-    const bool is_odd = !is_fan && i % 2 == 1; // every other triangle of a strip is turned
-    corners.insert(corners.end(), {is_odd ? b : a, is_odd ? a : b, c});
-  }
+    corners.insert(corners.end(), {vertices[0], vertices[i - 1], vertices[i]});
   return corners;
 }
 

@@ -1,100 +1,29 @@
 #include "Ply_header.h"
 #include "Ply_source.h"
+#include "Ply_values.h"
 #include "Text_scanner.h"
-#include "byte_order.h"
 #include "mesh_file.h"
 #include "outcome.h"
 #include "point_uvs.h"
+#include "triangle_strip.h"
 
 #include <algorithm>
 #include <array>
-#include <climits>
-#include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace {
 
-using Format = Ply_header::Format;
 using Type = Ply_header::Type;
 using Property = Ply_header::Property;
 using Element = Ply_header::Element;
 
-// The values behind the header, one after the other.
-class Values
-{
-public:
-  Values(Format format, Text_scanner scanner, std::string_view file)
-    : m_format(format), m_scanner(scanner), m_bytes(scanner.rest()), m_file(file)
-  {}
-
-  double next(Type type)
-  {
-    if(m_format == Format::TEXT)
-      return m_scanner.number();
-    switch(type)
-    {
-      case Type::INT8: return next_binary<std::int8_t>();
-      case Type::UINT8: return next_binary<std::uint8_t>();
-      case Type::INT16: return next_binary<std::int16_t>();
-      case Type::UINT16: return next_binary<std::uint16_t>();
-      case Type::INT32: return next_binary<std::int32_t>();
-      case Type::UINT32: return next_binary<std::uint32_t>();
-      case Type::FLOAT32: return next_binary<float>();
-      case Type::FLOAT64: return next_binary<double>();
-    }
-    return 0;
-  }
-
-  // A value that serves as a count or as an index.
-  int next_index(Type type)
-  {
-    const double value = next(type);
-    if(!(value >= 0 && value <= INT_MAX) || value != std::floor(value))
-      throw Failure(Exit_code::UNREADABLE, "a count or an index is not a number from 0 to "
-                                             + std::to_string(INT_MAX));
-    return int(value);
-  }
-
-  // A bound for the number of values to come.
-  std::size_t maximum_number() const
-  {
-    return m_format == Format::TEXT ? m_scanner.rest().size() : m_bytes.size();
-  }
-
-  // Where in the file the latest value ends, and where the next one begins.
-  std::size_t end() const
-  {
-    const std::string_view rest = m_format == Format::TEXT ? m_scanner.rest() : m_bytes;
-    return std::size_t(rest.data() - m_file.data());
-  }
-  std::size_t next_begin() const
-  {
-    Text_scanner scanner = m_scanner;
-    return m_format == Format::TEXT ? std::size_t(scanner.word().data() - m_file.data()) : end();
-  }
-
-private:
-  template <typename Number>
-  double next_binary()
-  {
-    if(m_bytes.size() < sizeof(Number))
-      throw Failure(Exit_code::UNREADABLE, "the file ends before its last element");
-    const double result = double(load<Number>(m_bytes, m_format == Format::BIG));
-    m_bytes.remove_prefix(sizeof(Number));
-    return result;
-  }
-
-  Format m_format;
-  Text_scanner m_scanner;
-  std::string_view m_bytes; // that are not read yet
-  std::string_view m_file;
-};
-
-void skip(const Property& property, Values& values)
+void skip(const Property& property, Ply_values& values)
 {
   const int size = property.is_list ? values.next_index(property.size_type) : 1;
   for(int i = 0; i < size; ++i)
@@ -165,7 +94,7 @@ public:
     : m_attributes(attributes), m_places(places), m_soup(soup)
   {}
 
-  void read(const Element& element, Values& values)
+  void read(const Element& element, Ply_values& values)
   {
     const Point_properties properties(element, m_attributes);
     const std::vector<int> uv = m_places != nullptr ? element.find_point_uv() : std::vector<int>();
@@ -188,7 +117,7 @@ public:
   const Point_uvs& uvs() const { return m_uvs; }
 
 private:
-  void read_value(const Property& property, int slot, Values& values)
+  void read_value(const Property& property, int slot, Ply_values& values)
   {
     if(slot < 0)
       skip(property, values);
@@ -231,14 +160,28 @@ void complete_point_attributes(Polygon_soup& soup)
     soup.corner_normals = soup.corners;
 }
 
-void read_corners(const Property& property, Values& values, Polygon_soup& soup)
+// Repeated vertices only lead from one part of a strip to the next.
+void add_strip(const std::vector<int>& vertices, Attributes attributes, Polygon_soup& soup)
+{
+  const std::vector<int> corners = triangles_of_strip(vertices);
+  for(std::size_t k = 0; k < corners.size(); k += 3)
+    if(corners[k] != corners[k + 1] && corners[k] != corners[k + 2] && corners[k + 1] != corners[k + 2])
+    {
+      soup.corners.insert(soup.corners.end(), &corners[k], &corners[k] + 3);
+      if(attributes.has_uvs)
+        soup.corner_uvs.insert(soup.corner_uvs.end(), 3, std::nullopt);
+      soup.close_polygon();
+    }
+}
+
+void read_corners(const Property& property, Ply_values& values, Polygon_soup& soup)
 {
   const int size = values.next_index(property.size_type);
   for(int k = 0; k < size; ++k)
     soup.corners.push_back(values.next_index(property.type));
 }
 
-std::vector<double> read_list(const Property& property, Values& values)
+std::vector<double> read_list(const Property& property, Ply_values& values)
 {
   std::vector<double> numbers;
   const int size = values.next_index(property.size_type);
@@ -260,7 +203,7 @@ void add_uvs(const std::vector<double>& texture, int number_of_corners, Polygon_
 }
 
 // `places` gets where the texture coordinates of each polygon are to be written, unless it is null.
-void read_polygons(const Element& element, Attributes attributes, Values& values, Polygon_soup& soup,
+void read_polygons(const Element& element, Attributes attributes, Ply_values& values, Polygon_soup& soup,
                    Places* places)
 {
   const int indices = element.find("vertex_indices", "vertex_index"), uvs = element.find("texcoord");
@@ -292,6 +235,31 @@ void read_polygons(const Element& element, Attributes attributes, Values& values
       add_uvs(texture, int(soup.corners.size() - first_corner), soup);
     soup.close_polygon();
   }
+}
+
+// One list may hold several strips, with -1 between them.
+void read_strips(const Element& element, Attributes attributes, Ply_values& values, Polygon_soup& soup)
+{
+  const int indices = element.find("vertex_indices", "vertex_index");
+  if(indices < 0 || !element.properties[std::size_t(indices)].is_list)
+    throw Failure(Exit_code::UNREADABLE, "the triangle strips have no list of vertex indices");
+  for(int i = 0; i < element.number; ++i)
+    for(int p = 0; p < int(element.properties.size()); ++p)
+    {
+      const Property& property = element.properties[std::size_t(p)];
+      if(p != indices)
+      {
+        skip(property, values);
+        continue;
+      }
+      std::vector<int> strip;
+      for(int size = values.next_index(property.size_type); size > 0; --size)
+        if(const std::optional<int> vertex = values.next_index_or_end(property.type))
+          strip.push_back(*vertex);
+        else
+          add_strip(std::exchange(strip, {}), attributes, soup);
+      add_strip(strip, attributes, soup);
+    }
 }
 
 std::string end_of_line(std::string_view line)
@@ -335,9 +303,11 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
 {
   Text_scanner scanner(bytes);
   const Ply_header header = read_ply_header(scanner);
-  Values values(header.format, scanner, bytes);
-  const std::shared_ptr<Ply_source> source
-    = attributes.has_source ? std::make_shared<Ply_source>(make_source(header, bytes)) : nullptr;
+  Ply_values values(header.format, scanner, bytes);
+  const bool has_strips = std::any_of(header.elements.begin(), header.elements.end(),
+                                      [](const Element& element) { return element.has_strips(); });
+  const std::shared_ptr<Ply_source> source // whose corners have a place for texture coordinates
+    = attributes.has_source && !has_strips ? std::make_shared<Ply_source>(make_source(header, bytes)) : nullptr;
   Places* const places = source ? &source->places : nullptr;
   Polygon_soup soup;
   Point_reader points(attributes, places, soup);
@@ -347,8 +317,8 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
       points.read(element, values);
     else if(element.has_polygons())
       read_polygons(element, attributes, values, soup, places);
-    else if(element.name == "tristrips")
-      throw Failure(Exit_code::UNREADABLE, "triangle strips are not supported");
+    else if(element.has_strips())
+      read_strips(element, attributes, values, soup);
     else
       for(int i = 0; i < element.number && !element.properties.empty(); ++i)
         for(const Property& property : element.properties)
