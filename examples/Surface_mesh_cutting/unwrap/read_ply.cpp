@@ -160,6 +160,15 @@ void complete_point_attributes(Polygon_soup& soup)
     soup.corner_normals = soup.corners;
 }
 
+// The position of the property that lists the vertices of an element of `polygons`.
+int find_vertex_indices(const Element& element, const std::string& polygons)
+{
+  const int indices = element.find("vertex_indices", "vertex_index");
+  if(indices < 0 || !element.properties[std::size_t(indices)].is_list)
+    throw Failure(Exit_code::UNREADABLE, "the " + polygons + " have no list of vertex indices");
+  return indices;
+}
+
 // Repeated vertices only lead from one part of a strip to the next.
 void add_strip(const std::vector<int>& vertices, Attributes attributes, Polygon_soup& soup)
 {
@@ -206,9 +215,7 @@ void add_uvs(const std::vector<double>& texture, int number_of_corners, Polygon_
 void read_polygons(const Element& element, Attributes attributes, Ply_values& values, Polygon_soup& soup,
                    Places* places)
 {
-  const int indices = element.find("vertex_indices", "vertex_index"), uvs = element.find("texcoord");
-  if(indices < 0 || !element.properties[std::size_t(indices)].is_list)
-    throw Failure(Exit_code::UNREADABLE, "the faces have no list of vertex indices");
+  const int indices = find_vertex_indices(element, "faces"), uvs = element.find("texcoord");
   const bool does_read_uvs = attributes.has_uvs && uvs >= 0 && element.properties[std::size_t(uvs)].is_list;
 
   soup.polygon_ends.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
@@ -238,28 +245,26 @@ void read_polygons(const Element& element, Attributes attributes, Ply_values& va
 }
 
 // One list may hold several strips, with -1 between them.
+void read_list_of_strips(const Property& property, Attributes attributes, Ply_values& values, Polygon_soup& soup)
+{
+  std::vector<int> strip;
+  for(int size = values.next_index(property.size_type); size > 0; --size)
+    if(const std::optional<int> vertex = values.next_index_or_end(property.type))
+      strip.push_back(*vertex);
+    else
+      add_strip(std::exchange(strip, {}), attributes, soup);
+  add_strip(strip, attributes, soup);
+}
+
 void read_strips(const Element& element, Attributes attributes, Ply_values& values, Polygon_soup& soup)
 {
-  const int indices = element.find("vertex_indices", "vertex_index");
-  if(indices < 0 || !element.properties[std::size_t(indices)].is_list)
-    throw Failure(Exit_code::UNREADABLE, "the triangle strips have no list of vertex indices");
+  const int indices = find_vertex_indices(element, "triangle strips");
   for(int i = 0; i < element.number; ++i)
     for(int p = 0; p < int(element.properties.size()); ++p)
-    {
-      const Property& property = element.properties[std::size_t(p)];
-      if(p != indices)
-      {
-        skip(property, values);
-        continue;
-      }
-      std::vector<int> strip;
-      for(int size = values.next_index(property.size_type); size > 0; --size)
-        if(const std::optional<int> vertex = values.next_index_or_end(property.type))
-          strip.push_back(*vertex);
-        else
-          add_strip(std::exchange(strip, {}), attributes, soup);
-      add_strip(strip, attributes, soup);
-    }
+      if(p == indices)
+        read_list_of_strips(element.properties[std::size_t(p)], attributes, values, soup);
+      else
+        skip(element.properties[std::size_t(p)], values);
 }
 
 std::string end_of_line(std::string_view line)
