@@ -122,7 +122,7 @@ private:
     const Connected_parts parts(chart.opposites());
     std::vector<std::set<int> > overlapped = overlapping_parts(chart, parts);
     CGAL::internal::Graph_kernel::Disjoint_sets groups(parts.number);
-    std::vector<Chart_seam> seams = seams_along(m_paths, m_problem, parts);
+    std::vector<Chart_seam> seams = seams_along(m_paths, m_problem, m_cut, parts);
     CGAL::internal::Graph_kernel::sort_by_key(seams, [](const Chart_seam& seam) { return -seam.cost; });
     for(const Chart_seam& seam : seams)
     {

@@ -169,7 +169,7 @@ private:
   std::vector<Joint> joints_of(const Connected_parts& parts, std::vector<Joint> former) const
   {
     std::vector<Joint> joints;
-    for(Chart_seam& seam : seams_along(m_paths, m_problem, parts))
+    for(Chart_seam& seam : seams_along(m_paths, m_problem, m_cut, parts))
     {
       const auto same = std::find_if(former.begin(), former.end(),
                                      [&](const Joint& joint) { return joint.seam.edges == seam.edges; });

@@ -20,9 +20,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/spanning_forest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -53,11 +55,54 @@ inline void close_dead_ends(const std::vector<std::vector<int> >& paths, const I
     cut[e] = 1;
 }
 
-// Those along `paths` between two parts, in order.
-inline std::vector<Chart_seam> seams_along(const std::vector<std::vector<int> >& paths, const Problem& problem,
+// How many edges at a vertex the surface is open along.
+inline int number_of_open_edges(const Indexed_mesh& mesh, const Cut& cut, int v)
+{
+  const auto first = mesh.graph().arcs.begin();
+  return int(std::count_if(first + mesh.graph().offsets[v], first + mesh.graph().offsets[v + 1],
+                           [&](const auto& arc) { return cut[arc.edge] || mesh.is_border_edge(arc.edge); }));
+}
+
+// Takes together what follows each other between the same two parts: where nothing else ends between two pieces, one cannot be
+// closed without the other.
+inline std::vector<Chart_seam> whole_seams(std::vector<Chart_seam> pieces, const Indexed_mesh& mesh, const Cut& cut)
+{
+  std::vector<std::pair<int, int> > touched; // vertices, and pieces with an edge there
+  for(std::size_t i = 0; i < pieces.size(); ++i)
+    for(int e : pieces[i].edges)
+      for(int v : {mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))})
+        touched.emplace_back(v, int(i));
+  std::sort(touched.begin(), touched.end());
+  CGAL::internal::Graph_kernel::Disjoint_sets seams{int(pieces.size())};
+  for(std::size_t k = 1; k < touched.size(); ++k)
+  {
+    const auto [u, i] = touched[k - 1];
+    const auto [v, j] = touched[k];
+    if(u == v && i != j && pieces[i].parts == pieces[j].parts && number_of_open_edges(mesh, cut, v) == 2)
+      seams.unite(i, j);
+  }
+  std::vector<Chart_seam> result;
+  std::vector<int> places(pieces.size());
+  for(std::size_t i = 0; i < pieces.size(); ++i)
+    if(const int first = seams.find(int(i)); first == int(i))
+    {
+      places[i] = int(result.size());
+      result.push_back(std::move(pieces[i]));
+    }
+    else
+    {
+      Chart_seam& seam = result[places[first]];
+      seam.cost += pieces[i].cost;
+      seam.edges.insert(seam.edges.end(), pieces[i].edges.begin(), pieces[i].edges.end());
+    }
+  return result;
+}
+
+// Those along `paths` between two parts, in order. `cut`: what the parts are divided by.
+inline std::vector<Chart_seam> seams_along(const std::vector<std::vector<int> >& paths, const Problem& problem, const Cut& cut,
                                            const Surface_mesh_parameterization::internal::Connected_parts& parts)
 {
-  std::vector<Chart_seam> result;
+  std::vector<Chart_seam> pieces;
   for(const std::vector<int>& path : paths)
   {
     bool goes_on = false;
@@ -70,14 +115,14 @@ inline std::vector<Chart_seam> seams_along(const std::vector<std::vector<int> >&
         goes_on = false;
         continue;
       }
-      if(!goes_on || result.back().parts != sides)
-        result.push_back({0, sides, {}});
+      if(!goes_on || pieces.back().parts != sides)
+        pieces.push_back({0, sides, {}});
       goes_on = true;
-      result.back().cost += problem.constraints.weights[e];
-      result.back().edges.push_back(e);
+      pieces.back().cost += problem.constraints.weights[e];
+      pieces.back().edges.push_back(e);
     }
   }
-  return result;
+  return whole_seams(std::move(pieces), problem.mesh, cut);
 }
 
 } // namespace internal
