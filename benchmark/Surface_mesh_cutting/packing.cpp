@@ -1,5 +1,5 @@
 // How much of the unit square charts fill, packed in three ways, as CSV:
-//   packing [--margin TEXELS] [--texture-size N] RESULT.obj...
+//   packing [--margin TEXELS] [--texture-size N] [--fast | --best] RESULT.obj...
 // Each file has polygons with texture coordinates, such as those that the program unwrap writes. The ways: bounding
 // boxes on shelves; outlines in a bitmap with four rotations, the largest first, each as low as it can be; and
 // pack_charts(). All keep the same margin. `limit` is the fill at which the chart with the largest extent alone needs the
@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
+#include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_packer.h>
 
@@ -26,6 +27,7 @@
 namespace {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
+using CGAL::Surface_mesh_cutting::Effort;
 using CGAL::Surface_mesh_parameterization::internal::Triangle;
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -157,6 +159,7 @@ int main(int argc, char** argv)
 {
   double texels = 2;
   int texture_size = 1024;
+  Effort effort = Effort::DEFAULT;
   std::vector<std::string> names;
   for(int i = 1; i < argc; ++i)
   {
@@ -165,6 +168,8 @@ int main(int argc, char** argv)
       texels = std::stod(argv[++i]);
     else if(word == "--texture-size" && i + 1 < argc)
       texture_size = std::stoi(argv[++i]);
+    else if(word == "--fast" || word == "--best")
+      effort = word == "--fast" ? Effort::FAST : Effort::BEST;
     else
       names.push_back(word);
   }
@@ -181,7 +186,7 @@ int main(int argc, char** argv)
     CGAL::Surface_mesh_cutting::internal::Run_control control;
     CGAL::Real_timer timer;
     timer.start();
-    const auto packed = Chart_packer<Tag>(outlines, margin, control).pack();
+    const auto packed = Chart_packer<Tag>(outlines, margin, effort, control).pack();
     timer.stop();
     const double fills[4] = {fill_of_shelves(outlines, margin), fill_of_bitmap(outlines, margin, texture_size),
                              packed ? packed->scale * packed->scale : 0, limit_of_fill(outlines, margin)};

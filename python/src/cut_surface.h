@@ -49,6 +49,7 @@ struct Packing_options
 {
   double margin = 2;
   int texture_size = 1024;
+  SMC::Effort effort = SMC::Effort::DEFAULT;
 };
 
 // A map: its points, and which of them each corner of the soup has.

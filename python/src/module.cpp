@@ -67,6 +67,7 @@ Packing_options read_packing_options(const Call& call)
   Packing_options options;
   read(call, "margin", options.margin);
   read(call, "texture_size", options.texture_size);
+  options.effort = effort_of(read_name(call, "effort"));
   return options;
 }
 

@@ -106,6 +106,10 @@ def test_pack_charts():
     assert caught.value.status == "not_certified" and len(caught.value.elements) > 0
     with pytest.raises(smc.InputError, match="margin"):
         smc.pack_charts(points, faces, flat.corner_uv, margin=-1)
+    fast, best = (smc.pack_charts(points, faces, flat.corner_uv, effort=effort) for effort in ("fast", "best"))
+    assert 0 < fast.fill < 1.1 * best.fill
+    with pytest.raises(ValueError, match="effort"):
+        smc.pack_charts(many, all_faces, uv, effort="most")
 
 
 def shortest_by_brute_force(number, edges, weights, terminals):

@@ -176,6 +176,34 @@ void test_random_charts(CGAL::Random& random)
     }
 }
 
+// Charts lie apart with any effort, and more effort does not fill much less: searches are different ones.
+void test_efforts(CGAL::Random& random)
+{
+  using CGAL::Surface_mesh_cutting::Effort;
+  for(const int number : {2, 9, 120})
+  {
+    const Charts charts = random_stars(random, number);
+    double former = 0;
+    for(const Effort effort : {Effort::FAST, Effort::DEFAULT, Effort::BEST})
+    {
+      if(number > 100 && effort != Effort::FAST)
+        continue; // takes half a minute
+      Charts packed;
+      packed.mesh = charts.mesh;
+      packed.uv = packed.mesh.property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+      packed.is_cut = packed.mesh.property_map<Mesh::Edge_index, bool>("e:cut").first;
+      const auto np = parameters::effort(effort).texture_size(512);
+      const auto result = CGAL::Surface_mesh_cutting::pack_charts(packed.mesh, packed.is_cut, packed.uv, np);
+      assert(result && result.number_of_charts == number);
+      assert(CGAL::Surface_mesh_cutting::certify_packing(packed.mesh, packed.is_cut, packed.uv, np));
+      check_similarity(packed, result.scale);
+      std::cout << number << " charts, effort " << int(effort) << ": fill " << result.fill << std::endl;
+      assert(result.fill > 0.95 * former);
+      former = result.fill;
+    }
+  }
+}
+
 void test_one_chart()
 {
   Charts charts; // a square that stands on a corner
@@ -343,5 +371,6 @@ int main(int argc, char** argv)
   test_errors(random);
   test_progress(random);
   test_random_charts(random);
+  test_efforts(random);
   return EXIT_SUCCESS;
 }

@@ -292,6 +292,29 @@ void test_separation(CGAL::Random& random)
   }
 }
 
+// Those that are found by sorting, against all pairs.
+void test_meeting_pairs(CGAL::Random& random)
+{
+  for(int round = 0; round < 20; ++round)
+  {
+    std::vector<Rigid_chart> charts;
+    std::vector<Rigid_motion> motions;
+    for(int i = 0; i < 30; ++i)
+    {
+      charts.push_back(rectangle(random.get_double(0.1, 2), random.get_double(0.1, 1)));
+      motions.emplace_back(random.get_double(0, 6), Eigen::Vector2d(random.get_double(0, 8), random.get_double(0, 8)));
+    }
+    Contact_finder finder(charts);
+    finder.set_room({8, 0.1, 0.01});
+    std::vector<std::pair<int, int> > pairs;
+    for(int i = 0; i < 30; ++i)
+      for(int j = 0; j < i; ++j)
+        if(finder.can_meet(i, motions[i], j, motions[j]))
+          pairs.emplace_back(i, j);
+    assert(!pairs.empty() && pairs.size() < 30 * 29 / 2 && finder.meeting_pairs(motions) == pairs);
+  }
+}
+
 // Charts thrown into a large square grow until they are jammed: a bar across it, and a row of squares that has to be
 // straightened for that, which none of them can do alone.
 void test_growth(CGAL::Random& random)
@@ -302,15 +325,17 @@ void test_growth(CGAL::Random& random)
   const auto nearly = [](double scale, double best) { return scale <= best && scale > 0.995 * best; };
   const std::vector<Rigid_chart> bar(1, rectangle(4, 0.01));
   std::vector<Rigid_motion> motions(1, Rigid_motion(random.get_double(0.2, 1.3), {5, 5}));
-  const double diagonal = Joint_growth(bar, go_further).grow(motions, 1, 100, room_at);
+  constexpr long long enough = 1000000000;
+  assert(Joint_growth(bar, go_further).grow(motions, 1, 100, 0, room_at) == 1); // no lookup allowed
+  const double diagonal = Joint_growth(bar, go_further).grow(motions, 1, 100, enough, room_at);
   assert(nearly(diagonal, 10 * std::sqrt(2) / 4));
   const std::vector<Rigid_chart> row(5, rectangle(1, 1));
   motions.clear();
   for(int i = 0; i < 5; ++i)
     motions.emplace_back(random.get_double(-0.2, 0.2), Eigen::Vector2d(1 + 1.9 * i, 5 + random.get_double(-0.3, 0.3)));
   Joint_growth joint_growth(row, go_further);
-  assert(joint_growth.grow(motions, 1, 1.1, room_at) == 1.1); // the limit
-  const double jammed = joint_growth.grow(motions, 1.1, 100, room_at);
+  assert(joint_growth.grow(motions, 1, 1.1, enough, room_at) == 1.1); // the limit
+  const double jammed = joint_growth.grow(motions, 1.1, 100, enough, room_at);
   assert(jammed > 1.5 && joint_growth.lookups() > 0);
   Contact_finder finder(row);
   finder.set_room({room_at(jammed).side, distance, 0});
@@ -340,6 +365,7 @@ int main(int argc, char** argv)
   test_blocks(random);
   test_places(random);
   test_separation(random);
+  test_meeting_pairs(random);
   test_growth(random);
   return EXIT_SUCCESS;
 }

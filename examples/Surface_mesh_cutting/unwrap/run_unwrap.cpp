@@ -3,6 +3,7 @@
 #include "Constraints.h"
 #include "Progress_visitor.h"
 #include "make_layout.h"
+#include "effort.h"
 #include "pack.h"
 #include "stop_request.h"
 
@@ -137,11 +138,6 @@ void tell(const Result& result, const Surface& surface, bool is_like_soup, Outco
     outcome.message = summary(outcome);
   else if(outcome.exit_code == Exit_code::STOPPED)
     outcome.message += "; the best result so far is written: " + summary(outcome);
-}
-
-SMC::Effort effort_of(const std::string& name)
-{
-  return name == "fast" ? SMC::Effort::FAST : name == "best" ? SMC::Effort::BEST : SMC::Effort::DEFAULT;
 }
 
 SMC::Connection connection_of(const std::string& name)

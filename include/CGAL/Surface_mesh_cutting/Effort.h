@@ -19,7 +19,7 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// how much work to spend on a short cut; the value of the named parameter `effort`.
+/// how much work to spend on a short cut, and on a packing that fills the square; the value of the named parameter `effort`.
 enum class Effort
 {
   FAST,    ///< feature detection and connection only, unless a bound or an initial cut requires more, or the connected

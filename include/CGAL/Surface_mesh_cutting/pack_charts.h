@@ -50,8 +50,8 @@ namespace Surface_mesh_cutting {
 ///
 /// Charts are drawn on grids of 512 to 4096 cells along a side, in 4 to 16 turns. Let \f$ c \f$ be their number; then the
 /// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts. Up to 1000
-/// charts then leave the grid and push each other apart, turned as they like; that takes a fixed number of tries per chart,
-/// some seconds for a hundred charts.
+/// charts then leave the grid and push each other apart, turned as they like; `effort` says how many tries that takes per
+/// chart: some seconds for a hundred charts with the default.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
@@ -85,6 +85,12 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{whether no chart may overlap itself, either}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{effort}
+///     \cgalParamDescription{how long to look for a larger scale}
+///     \cgalParamType{`Surface_mesh_cutting::Effort`}
+///     \cgalParamDefault{`Effort::DEFAULT`}
+///     \cgalParamExtra{`Effort::FAST` makes a tenth of the tries, `Effort::BEST` four times as many.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}

@@ -113,7 +113,7 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   const double factor = area > 0 ? 1 / std::sqrt(area) : 1;
   const std::vector<Chart_outline> outlines = chart_outlines(chart, parts, uv, factor);
   const std::optional<Packed_charts> packed
-    = Chart_packer<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), control).pack();
+    = Chart_packer<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), parameters.effort, control).pack();
   if(!packed)
     packing.status = Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                                     "the margins around " + std::to_string(parts.number) + " charts leave no room for them");

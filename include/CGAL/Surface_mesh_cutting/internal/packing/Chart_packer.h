@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Grid_packing.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Off_grid_growth.h>
@@ -46,8 +47,8 @@ class Chart_packer
 public:
   // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square. The
   // reference to the control is kept.
-  Chart_packer(std::vector<Chart_outline> outlines, double margin, Run_control& control)
-    : m_outlines(std::move(outlines)), m_margin(margin), m_control(control)
+  Chart_packer(std::vector<Chart_outline> outlines, double margin, Effort effort, Run_control& control)
+    : m_outlines(std::move(outlines)), m_margin(margin), m_effort(effort), m_control(control)
   {}
 
   // None if no scale was found at which the margins leave room. A run that is ended keeps what it found first.
@@ -139,7 +140,7 @@ private:
         m_strategies.push_back({*order, height_share});
     if(int(m_outlines.size()) > many)
       m_strategies.resize(2);
-    else if(int(m_outlines.size()) <= several)
+    else if(int(m_outlines.size()) <= several && m_effort != Effort::FAST)
       add_shuffled(by_box);
   }
 
@@ -220,7 +221,7 @@ private:
     std::vector<Rigid_chart> charts;
     for(std::optional<Rigid_chart>& chart : built)
       charts.push_back(std::move(*chart));
-    m_best = Off_grid_growth(charts, m_margin, m_limit, m_control).grow(std::move(*m_best));
+    m_best = Off_grid_growth(charts, m_margin, m_limit, m_effort, m_control).grow(std::move(*m_best));
   }
 
   // The first strategy that succeeds counts; those that fail where others succeed are given up.
@@ -269,6 +270,7 @@ private:
 
   const std::vector<Chart_outline> m_outlines;
   const double m_margin;
+  const Effort m_effort;
   Run_control& m_control;
   std::vector<std::vector<double> > m_turns; // angles
   std::vector<Packing_strategy> m_strategies;

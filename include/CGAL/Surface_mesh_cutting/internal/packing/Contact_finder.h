@@ -16,9 +16,13 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Rigid_chart.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -73,6 +77,27 @@ public:
     return (at_i.translation() - at_j.translation()).squaredNorm() < reach * reach;
   }
 
+  // The pairs that can meet, with the higher index first, in order. Only charts that share some abscissa are compared.
+  std::vector<std::pair<int, int> > meeting_pairs(const std::vector<Rigid_motion>& motions) const
+  {
+    const double gap = m_room.distance + m_room.slack;
+    std::vector<double> lefts;
+    for(std::size_t i = 0; i < motions.size(); ++i)
+      lefts.push_back(motions[i].translation().x() - m_charts[i].radius - 0.5 * gap);
+    const std::vector<int> order = CGAL::internal::Graph_kernel::ascending_places(lefts);
+    std::vector<std::pair<int, int> > pairs;
+    for(std::size_t k = 0; k < order.size(); ++k)
+    {
+      const int i = order[k];
+      const double right = lefts[i] + 2 * m_charts[i].radius + gap;
+      for(std::size_t l = k + 1; l < order.size() && lefts[order[l]] < right; ++l)
+        if(const int j = order[l]; can_meet(i, motions[i], j, motions[j]))
+          pairs.emplace_back((std::max)(i, j), (std::min)(i, j));
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+
   // Calls `add(contact)` for the samples of chart `i` that are too close to the border, as long as that returns true.
   template <typename Add>
   void at_border(int i, const Rigid_motion& at, Add add)
@@ -121,10 +146,9 @@ public:
   // Samples may miss where narrow charts cross.
   bool has_overlap(const std::vector<Rigid_motion>& motions) const
   {
-    for(int i = 0; i < int(m_charts.size()); ++i)
-      for(int j = 0; j < i; ++j)
-        if(can_meet(i, motions[i], j, motions[j]) && do_overlap(m_charts[i], motions[i], m_charts[j], motions[j]))
-          return true;
+    for(const auto& [i, j] : meeting_pairs(motions))
+      if(do_overlap(m_charts[i], motions[i], m_charts[j], motions[j]))
+        return true;
     return false;
   }
 

@@ -47,12 +47,12 @@ public:
   long long lookups() const { return m_finder.lookups(); }
 
   // The largest scale it finds from `scale` on, where charts are apart, up to `limit`; the motions are then those
-  // there. `room_at(scale)` is the room at a scale.
+  // there. `room_at(scale)` is the room at a scale. No step begins after `enough` lookups.
   template <typename Room_at>
-  double grow(std::vector<Rigid_motion>& motions, double scale, double limit, Room_at room_at)
+  double grow(std::vector<Rigid_motion>& motions, double scale, double limit, long long enough, Room_at room_at)
   {
     constexpr double first = 1.01, finest = 1.0001;
-    for(double factor = first; factor > finest && scale < limit && m_go_further();)
+    for(double factor = first; factor > finest && scale < limit && lookups() < enough && m_go_further();)
     {
       const double next = (std::min)(scale * factor, limit);
       std::vector<Rigid_motion> attempt = narrowed(motions, room_at(next).side / room_at(scale).side);
@@ -103,15 +103,17 @@ private:
         return true;
       };
     };
+    const std::vector<std::pair<int, int> > pairs = m_finder.meeting_pairs(motions);
+    auto pair = pairs.begin();
     for(int i = 0; i < int(motions.size()); ++i)
     {
       m_finder.at_border(i, motions[i], add_to(i, -1));
-      for(int j = 0; j < i; ++j)
-        if(m_finder.can_meet(i, motions[i], j, motions[j]))
-        {
-          m_finder.in_chart(i, motions[i], j, motions[j], add_to(i, j));
-          m_finder.in_chart(j, motions[j], i, motions[i], add_to(j, i));
-        }
+      for(; pair != pairs.end() && pair->first == i; ++pair)
+      {
+        const int j = pair->second;
+        m_finder.in_chart(i, motions[i], j, motions[j], add_to(i, j));
+        m_finder.in_chart(j, motions[j], i, motions[i], add_to(j, i));
+      }
     }
     return deepest;
   }

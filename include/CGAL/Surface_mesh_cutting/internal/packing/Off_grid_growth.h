@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Joint_growth.h>
@@ -41,9 +42,9 @@ public:
   static double reach(double margin, double scale) { return margin / scale + 4 * tolerance; }
 
   // References are kept. `limit`: of the scale.
-  Off_grid_growth(const std::vector<Rigid_chart>& charts, double margin, double limit, Run_control& control)
-    : m_charts(charts), m_margin(margin), m_limit(limit), m_control(control), m_separator(charts), m_joint_growth(charts, control),
-      m_random(0)
+  Off_grid_growth(const std::vector<Rigid_chart>& charts, double margin, double limit, Effort effort, Run_control& control)
+    : m_charts(charts), m_margin(margin), m_limit(limit), m_effort(effort), m_control(control), m_separator(charts),
+      m_joint_growth(charts, control), m_random(0)
   {}
 
   Packed_charts grow(Packed_charts packed)
@@ -56,26 +57,34 @@ public:
   }
 
 private:
-  // Grows by small steps. Where the smallest one fails, two charts change places before the next attempt.
+  // Grows by small steps. Where the smallest one fails, two charts change places before the next attempt; few charts have few
+  // places to change.
   void search()
   {
     constexpr double first = 1.02, finest = 1.0015, quick = 0.02;
+    constexpr int changes_per_chart = 4;
     const double budget = most_lookups();
     bool is_stuck = false;
+    int changes = 0; // that did not help
     double factor = first;
-    while(m_scale * finest <= m_limit && lookups() < budget && m_control.go_further())
+    while(m_scale * finest <= m_limit && lookups() < budget && changes < changes_per_chart * int(m_charts.size()) &&
+          m_control.go_further())
     {
       const double former = lookups();
       const double scale = (std::min)(m_scale * factor, m_limit);
       std::vector<Rigid_motion> motions = narrowed(m_motions, room_at(scale).side / room_at(m_scale).side);
       if(is_stuck)
+      {
         swap_two(motions);
+        ++changes;
+      }
       is_stuck = false;
       const long long end = m_separator.lookups() + (long long)(budget - former);
       if(m_separator.separate(motions, room_at(scale), end, m_control))
       {
         m_scale = scale;
         m_motions.swap(motions);
+        changes = 0;
         if(lookups() - former < quick * budget)
           factor = (std::min)(first, factor * factor);
         grow_jointly();
@@ -92,16 +101,21 @@ private:
   double most_lookups() const
   {
     constexpr double lookups_per_chart = 2.7e6;
+    constexpr double fast_share = 0.1, best_share = 4;
     constexpr int few = 4, several = 40, many = 100;
     const int number = int(m_charts.size());
-    const double most = lookups_per_chart * (std::min)((std::max)(number, few), several);
+    const double share = m_effort == Effort::FAST ? fast_share : m_effort == Effort::BEST ? best_share : 1;
+    const double most = share * lookups_per_chart * (std::min)((std::max)(number, few), several);
     return number > many ? most * 2 / 3 : most;
   }
 
   double lookups() const { return double(m_separator.lookups() + m_joint_growth.lookups()); }
 
   void grow_jointly()
-  { m_scale = m_joint_growth.grow(m_motions, m_scale, m_limit, [this](double scale) { return room_at(scale); }); }
+  {
+    const long long enough = (long long)(most_lookups()) - m_separator.lookups();
+    m_scale = m_joint_growth.grow(m_motions, m_scale, m_limit, enough, [this](double scale) { return room_at(scale); });
+  }
 
   // In units of the charts.
   Square_room room_at(double scale) const
@@ -139,6 +153,7 @@ private:
 
   const std::vector<Rigid_chart>& m_charts;
   const double m_margin, m_limit;
+  const Effort m_effort;
   Run_control& m_control;
   Chart_separator m_separator;
   Joint_growth m_joint_growth;

@@ -34,7 +34,8 @@ Packing_parameters read_packing_parameters(const NamedParameters& np)
   constexpr int default_texture_size = 1024;
   return {{double(choose_parameter(get_parameter(np, internal_np::margin), default_margin)),
            int(choose_parameter(get_parameter(np, internal_np::texture_size), default_texture_size))},
-          bool(choose_parameter(get_parameter(np, internal_np::do_bijective), true))};
+          bool(choose_parameter(get_parameter(np, internal_np::do_bijective), true)),
+          choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT)};
 }
 
 inline Indexed_status check_parameters(const Packing_parameters& parameters)
