@@ -34,6 +34,23 @@ def read_accessor(description, buffer, index):
     return [values[i:i + number] for i in range(0, len(values), number)]
 
 
+def with_other_text(data, change):
+    """The file with the text of its description changed by a function."""
+    size, = struct.unpack_from("<I", data, 12)
+    text = change(data[20:20 + size].rstrip())
+    text += b" " * (-len(text) % 4)
+    buffer = data[20 + size:]
+    return struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text) + len(buffer), len(text), b"JSON") + text + buffer
+
+
+def without(*keys):
+    """A change of a description: some of its entries are gone."""
+    def change(text):
+        description = json.loads(text)
+        return json.dumps({key: value for key, value in description.items() if key not in keys}).encode()
+    return change
+
+
 class Gltf(Case):
     def report_if_supported(self, *arguments):
         exit_code, report = self.report(*arguments)
@@ -155,19 +172,35 @@ class Gltf(Case):
     def test_strips_and_fans(self):
         points = [(0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0), (2, 0, 0)]
         for mode, triangles in ((5, {(0, 1, 2), (1, 3, 2), (2, 3, 4)}), (6, {(0, 1, 2), (0, 2, 3), (0, 3, 4)})):
-            data = to_glb(points, [(0, 1, 2), (3, 4, 4)])
             form = b'"indices": 1', b'"indices": 1, "mode": %d' % mode
-            size, = struct.unpack_from("<I", data, 12)
-            text = data[20:20 + size].rstrip().replace(*form).replace(b'"count": 6', b'"count": 5')
-            text += b" " * (-len(text) % 4)
-            buffer = data[20 + size:]
-            self.write("in.glb", struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text) + len(buffer), len(text), b"JSON")
-                       + text + buffer)
+            self.write("in.glb", with_other_text(to_glb(points, [(0, 1, 2), (3, 4, 4)]), lambda text:
+                                                 text.replace(*form).replace(b'"count": 6', b'"count": 5')))
             self.report_if_supported("in.glb", "-o", "out.obj", "--allow-overlap")
             points_out, _, faces = read_obj(self.folder / "out.obj")
             found = {tuple(points.index(tuple(points_out[v])) for v, _ in face) for face in faces}
             rotations = lambda t: min((t, t[1:] + t[:1], t[2:] + t[:2]))
             self.assertEqual({rotations(t) for t in found}, {rotations(t) for t in triangles}, mode)
+
+    def test_no_scene(self):
+        """All nodes that do not hang below another one are read, each once."""
+        nodes = [{"mesh": 0, "translation": [9, 0, 0]}, {"mesh": 0, "children": [0]}, {"mesh": 0, "translation": [0, 9, 0]}]
+        self.write("in.glb", with_other_text(to_glb(*SPHERE, nodes), without("scene", "scenes")))
+        exit_code, report = self.report_if_supported("in.glb", "-o", "out.obj")
+        self.assertEqual((exit_code, report["components"]), (0, 3), report["message"])
+
+    def test_not_supported(self):
+        """The reason is told."""
+        data = to_glb(*SPHERE)
+        self.write("in.glb", data)
+        self.report_if_supported("in.glb", "-o", "out.obj")
+        first = {"asset": {"version": "1.0"}, "scene": "main", "scenes": {"main": {"nodes": []}}}
+        compressed = with_other_text(data, lambda text: text.replace(
+            b'"scene": 0', b'"scene": 0, "extensionsRequired": ["KHR_draco_mesh_compression"]'))
+        for name, content, reason in (("in.glb", data.replace(b"glTF\2", b"glTF\1", 1), "glTF 1 "),
+                                      ("in.gltf", json.dumps(first), "glTF 1 "),
+                                      ("in.glb", compressed, "KHR_draco_mesh_compression")):
+            (self.folder / "out.obj").unlink(missing_ok=True)
+            self.assertIn(reason, self.assert_refused(3, self.write(name, content), "-o", "out.obj")["message"])
 
     def test_damaged(self):
         data = to_glb(*torus())

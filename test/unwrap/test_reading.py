@@ -18,6 +18,12 @@ def several_in_a_line(off, number):
     return "\n".join(lines[:2] + rows + faces) + "\n"
 
 
+def with_more(ply, text):
+    """The lines of the points and faces of a PLY file continue."""
+    header, body = ply.split(b"end_header\n")
+    return header + b"end_header\n" + body.replace(b"\n", text + b"\n")
+
+
 # OBJ as others write it: everything that is not a point or a face is to be passed over.
 DECORATED_OBJ = "\r\n".join(
     ["# a comment", "mtllib some.mtl", "o object", "", "vt 0 0", "vn 0 0 1", "g group name"]
@@ -42,6 +48,11 @@ READABLE = {
     "returns.off": to_off(SPHERE).replace("\n", " # comment\r"),
     "returns.obj": DECORATED_OBJ.replace("\r\n", "\r"),
     "returns.ply": to_ply(SPHERE, "ascii").replace(b"\n", b"\r"),
+    "more_in_lines.ply": with_more(to_ply(SPHERE, "ascii"), b" 9 1 0.5 word"),
+    "broken_lines.ply": to_ply(SPHERE, "ascii").replace(b"\n3 ", b"\n3\n"),
+    "all_in_a_line.ply": b"end_header\n".join(part.replace(b"\n", b" ") if i else part for i, part in enumerate(
+        to_ply(SPHERE, "ascii").split(b"end_header\n"))),
+    "made_by.ply": to_ply(SPHERE, "ascii").replace(b"comment made", b"Made"),
     "many_in_a_line.off": several_in_a_line(to_off(SPHERE), 4),
     "all_in_a_line.off": several_in_a_line(to_off(SPHERE), len(SPHERE[0])),
     "off_inside.mesh": to_off(SPHERE),
@@ -88,6 +99,7 @@ UNREADABLE = {
     "no_faces.ply": to_ply(SPHERE, "ascii").replace(b"vertex_indices", b"something"),
     "type.ply": to_ply(SPHERE, "ascii").replace(b"float x", b"quaternion x"),
     "header.ply": "ply\nformat ascii 1.0\nelement vertex 3\n",
+    "made_late.ply": to_ply(SPHERE, "ascii").replace(b"element face", b"made by\nelement face"),
     "strips.ply": "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int "
                   "vertex_indices\nend_header\n3 0 1 2\n",
     "strip_range.ply": strips_ply(SPHERE, "ascii", [[0, 1, 2, -1, 3, 4, 99]]),

@@ -53,6 +53,13 @@ std::string_view finish_line(std::string_view first_word, Text_scanner& scanner)
   return {first_word.data(), std::size_t(scanner.rest().data() - first_word.data())};
 }
 
+// Some programs tell who they are without the word that starts a comment, before anything is declared.
+bool is_unmarked_comment(std::string_view keyword, const Ply_header& header)
+{
+  return !header.format_line.empty() && header.elements.empty() && !keyword.empty() && keyword != "property"
+         && keyword != "end_header";
+}
+
 } // namespace
 
 std::vector<int> Ply_header::Element::find_point_uv() const
@@ -69,6 +76,14 @@ int Ply_header::Element::find(std::string_view name_1, std::string_view name_2) 
   const auto found = std::find_if(properties.begin(), properties.end(), [&](const Property& p)
                                   { return p.name == name_1 || p.name == name_2; });
   return found == properties.end() ? -1 : int(found - properties.begin());
+}
+
+std::size_t Ply_header::number_of_elements() const
+{
+  std::size_t number = 0;
+  for(const Element& element : elements)
+    number += std::size_t(element.number);
+  return number;
 }
 
 Ply_header read_ply_header(Text_scanner& scanner)
@@ -104,7 +119,7 @@ Ply_header read_ply_header(Text_scanner& scanner)
     }
     else if(keyword == "comment" && scanner.word_in_line() == Ply_header::image_comment)
       header.image_lines.push_back(finish_line(keyword, scanner));
-    else if(keyword == "comment" || keyword == "obj_info")
+    else if(keyword == "comment" || keyword == "obj_info" || is_unmarked_comment(keyword, header))
       scanner.skip_line();
     else
       scanner.fail("a line of a PLY header", keyword);

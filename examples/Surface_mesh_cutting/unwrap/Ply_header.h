@@ -43,6 +43,8 @@ struct Ply_header
   std::string_view format_line;
   std::vector<std::string_view> image_lines; // comments that name the file of a texture
 
+  std::size_t number_of_elements() const;
+
   // The line that names the file of a texture begins so.
   static constexpr std::string_view image_comment = "TextureFile";
 };

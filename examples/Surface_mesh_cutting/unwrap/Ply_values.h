@@ -23,8 +23,9 @@ class Ply_values
   using Type = Ply_header::Type;
 
 public:
-  Ply_values(Format format, Text_scanner scanner, std::string_view file)
-    : m_format(format), m_scanner(scanner), m_bytes(scanner.rest()), m_file(file)
+  Ply_values(const Ply_header& header, Text_scanner scanner, std::string_view file)
+    : m_format(header.format), m_scanner(scanner), m_bytes(scanner.rest()), m_file(file),
+      m_has_lines(m_format == Format::TEXT && scanner.number_of_line_ends() + 1 >= header.number_of_elements())
   {}
 
   double next(Type type)
@@ -53,6 +54,13 @@ public:
   {
     const double value = next(type);
     return value == -1 ? std::nullopt : std::make_optional(to_index(value));
+  }
+
+  // Leaves what the line of an element holds behind its properties: some programs declare fewer than they write.
+  void end_element()
+  {
+    if(m_has_lines)
+      m_scanner.skip_line();
   }
 
   // A bound for the number of values to come.
@@ -96,6 +104,7 @@ private:
   Text_scanner m_scanner;
   std::string_view m_bytes; // that are not read yet
   std::string_view m_file;
+  const bool m_has_lines; // whether each element of a text may have one
 };
 
 #endif // UNWRAP_PLY_VALUES_H

@@ -124,6 +124,11 @@ void Text_scanner::skip_line()
     end_if_stop_is_requested();
 }
 
+std::size_t Text_scanner::number_of_line_ends() const
+{
+  return std::size_t(std::count(m_text.begin(), m_text.end(), m_line_end));
+}
+
 double Text_scanner::to_number(std::string_view word) const
 {
   const std::optional<double> number = parse_number(word);

@@ -39,6 +39,7 @@ public:
   int to_index(std::string_view word) const;
 
   std::string_view rest() const { return m_text; }
+  std::size_t number_of_line_ends() const;
 
   // Throws the `Failure` that what is expected here is not `word`.
   [[noreturn]] void fail(const std::string& expected, std::string_view word) const;

@@ -30,6 +30,7 @@ Polygon_soup read_glb(std::string_view, Attributes)
 
 #else
 
+#include "Gltf_elements.h"
 #include "Point_merger.h"
 #include "byte_order.h"
 #include "file_bytes.h"
@@ -45,84 +46,9 @@ Polygon_soup read_glb(std::string_view, Attributes)
 
 namespace {
 
-[[noreturn]] void fail(const std::string& reason) { throw Failure(Exit_code::UNREADABLE, reason); }
-
-template <typename Item>
-const Item& at(const std::vector<Item>& items, int index, const char* what)
-{
-  if(index < 0 || index >= int(items.size()))
-    fail(std::string("the file refers to a ") + what + " that it does not have");
-  return items[std::size_t(index)];
-}
-
-// The elements of an accessor, one after the other.
-class Elements
-{
-public:
-  Elements(const tinygltf::Model& model, int accessor)
-    : m_accessor(at(model.accessors, accessor, "accessor"))
-  {
-    if(m_accessor.sparse.isSparse)
-      fail("sparse accessors are not supported");
-    const tinygltf::BufferView& view = at(model.bufferViews, m_accessor.bufferView, "view of a buffer");
-    const std::vector<unsigned char>& data = at(model.buffers, view.buffer, "buffer").data;
-    const int stride = m_accessor.ByteStride(view);
-    const int size = tinygltf::GetComponentSizeInBytes(std::uint32_t(m_accessor.componentType))
-                     * tinygltf::GetNumComponentsInType(std::uint32_t(m_accessor.type));
-    if(size <= 0 || stride < size)
-      fail("an accessor has no valid type");
-    m_stride = std::size_t(stride);
-    const std::size_t first = view.byteOffset + m_accessor.byteOffset;
-    if(first > data.size() || (m_accessor.count > 0 && (data.size() - first < std::size_t(size) ||
-                               (data.size() - first - std::size_t(size)) / m_stride < m_accessor.count - 1)))
-      fail("the file ends before the last element of an accessor");
-    m_bytes = std::string_view(reinterpret_cast<const char*>(data.data()), data.size()).substr(first);
-  }
-
-  std::size_t number() const { return m_accessor.count; }
-  bool is(int component_type, int type) const
-  {
-    return m_accessor.componentType == component_type && m_accessor.type == type;
-  }
-
-  // Of one of the component types that may stand for fractions.
-  bool has_fractions(int type) const
-  {
-    return is(TINYGLTF_COMPONENT_TYPE_FLOAT, type) || is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, type)
-           || is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, type);
-  }
-
-  int index(std::size_t i) const
-  {
-    const std::string_view bytes = m_bytes.substr(i * m_stride);
-    if(is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR))
-      return int((std::min)(load<std::uint32_t>(bytes, false), std::uint32_t(INT32_MAX)));
-    if(is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR))
-      return load<std::uint16_t>(bytes, false);
-    if(is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_SCALAR))
-      return load<std::uint8_t>(bytes, false);
-    fail("indices of triangles are not numbers without a sign");
-  }
-
-  // The first numbers of an element; whole ones are fractions of the largest.
-  template <int number>
-  Eigen::Matrix<double, number, 1> vector(std::size_t i) const
-  {
-    const std::string_view bytes = m_bytes.substr(i * m_stride);
-    Eigen::Matrix<double, number, 1> result;
-    for(int k = 0; k < number; ++k)
-      result[k] = m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT ? load<float>(bytes.substr(4 * k), false)
-                : m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
-                    ? load<std::uint16_t>(bytes.substr(2 * k), false) / 65535.
-                    : load<std::uint8_t>(bytes.substr(k), false) / 255.;
-    return result;
-  }
-
-private:
-  const tinygltf::Accessor& m_accessor;
-  std::size_t m_stride = 0;
-  std::string_view m_bytes;
-};
+using gltf::Elements;
+using gltf::at;
+using gltf::fail;
 
 Eigen::Matrix4d transformation_of(const tinygltf::Node& node)
 {
@@ -169,9 +95,7 @@ public:
 
   Polygon_soup run()
   {
-    if(m_model.scenes.empty())
-      fail("the file has no scene");
-    for(int node : at(m_model.scenes, (std::max)(m_model.defaultScene, 0), "scene").nodes)
+    for(int node : nodes_of_scene())
       add_node(node, Eigen::Matrix4d::Identity(), 0);
     if(!m_soup.colors.empty())
       m_soup.colors.resize(m_soup.points.size(), white);
@@ -191,6 +115,23 @@ private:
     int first_normal; // -1 if there are none
     Eigen::Matrix4d transformation;
   };
+
+  // Those that do not hang below others. A file without scenes is a collection of them.
+  std::vector<int> nodes_of_scene() const
+  {
+    if(!m_model.scenes.empty())
+      return at(m_model.scenes, (std::max)(m_model.defaultScene, 0), "scene").nodes;
+    std::vector<char> is_below(m_model.nodes.size(), 0);
+    for(const tinygltf::Node& node : m_model.nodes)
+      for(int child : node.children)
+        if(child >= 0 && child < int(is_below.size()))
+          is_below[std::size_t(child)] = 1;
+    std::vector<int> nodes;
+    for(std::size_t i = 0; i < is_below.size(); ++i)
+      if(!is_below[i])
+        nodes.push_back(int(i));
+    return nodes;
+  }
 
   void add_node(int index, const Eigen::Matrix4d& outer, std::size_t depth)
   {
@@ -343,6 +284,33 @@ bool load_text(tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& 
   return loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), unsigned(bytes.size()), folder);
 }
 
+// Where meshes of a sound file may be that are not where they are looked for.
+constexpr std::array<const char*, 2> compressions = {{"KHR_draco_mesh_compression", "EXT_meshopt_compression"}};
+
+// The loader may end before it knows what the file requires.
+std::string hint_at_compression(std::string_view bytes)
+{
+  for(const char* extension : compressions)
+    if(bytes.find(extension) != std::string_view::npos)
+      return std::string("; the file uses ") + extension + ", which is not supported";
+  return "";
+}
+
+void check_required(const tinygltf::Model& model)
+{
+  for(const std::string& extension : model.extensionsRequired)
+    if(std::find(compressions.begin(), compressions.end(), extension) != compressions.end())
+      fail("the file requires " + extension + ", which is not supported");
+}
+
+// Its files have names where those of version 2 have numbers.
+bool is_version_1(const tinygltf::Model& model, std::string_view bytes)
+{
+  constexpr std::string_view magic = "glTF";
+  const bool is_binary = bytes.size() >= 8 && bytes.substr(0, magic.size()) == magic;
+  return is_binary ? load<std::uint32_t>(bytes.substr(magic.size()), false) == 1 : model.asset.version.substr(0, 2) == "1.";
+}
+
 Polygon_soup read(std::string_view bytes, Load load, const std::string& folder, Attributes attributes)
 {
   tinygltf::TinyGLTF loader;
@@ -352,12 +320,16 @@ Polygon_soup read(std::string_view bytes, Load load, const std::string& folder, 
   std::string error;
   if(bytes.size() > UINT32_MAX)
     fail("the file is too large");
-  if(!load(loader, model, error, bytes, folder))
+  const bool is_loaded = load(loader, model, error, bytes, folder);
+  if(is_version_1(model, bytes))
+    fail("glTF 1 is not supported, only version 2");
+  if(!is_loaded)
   {
     error = error.substr(0, error.find('\n'));
     std::replace_if(error.begin(), error.end(), [](char c) { return c < 32 || c > 126; }, '?'); // quotes the file
-    fail("damaged glTF: " + error);
+    fail("damaged glTF: " + error + hint_at_compression(bytes));
   }
+  check_required(model);
   return Scene_reader(model, attributes).run();
 }
 

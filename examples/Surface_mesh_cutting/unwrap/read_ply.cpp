@@ -108,6 +108,7 @@ public:
         if(std::find(uv.begin(), uv.end(), p) != uv.end())
           m_places->push_back({begin, values.end(), Ply_source::Content::POINT_UV});
       }
+      values.end_element();
       add_point(properties);
     }
     if(!m_uvs.empty())
@@ -238,6 +239,7 @@ void read_polygons(const Element& element, Attributes attributes, Ply_values& va
     }
     if(uvs < 0 && places != nullptr)
       places->push_back({values.end(), values.end(), Ply_source::Content::TEXTURE_COORDINATES});
+    values.end_element();
     if(attributes.has_uvs)
       add_uvs(texture, int(soup.corners.size() - first_corner), soup);
     soup.close_polygon();
@@ -260,11 +262,24 @@ void read_strips(const Element& element, Attributes attributes, Ply_values& valu
 {
   const int indices = find_vertex_indices(element, "triangle strips");
   for(int i = 0; i < element.number; ++i)
+  {
     for(int p = 0; p < int(element.properties.size()); ++p)
       if(p == indices)
         read_list_of_strips(element.properties[std::size_t(p)], attributes, values, soup);
       else
         skip(element.properties[std::size_t(p)], values);
+    values.end_element();
+  }
+}
+
+void skip_elements(const Element& element, Ply_values& values)
+{
+  for(int i = 0; i < element.number && !element.properties.empty(); ++i)
+  {
+    for(const Property& property : element.properties)
+      skip(property, values);
+    values.end_element();
+  }
 }
 
 std::string end_of_line(std::string_view line)
@@ -308,7 +323,7 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
 {
   Text_scanner scanner(bytes);
   const Ply_header header = read_ply_header(scanner);
-  Ply_values values(header.format, scanner, bytes);
+  Ply_values values(header, scanner, bytes);
   const bool has_strips = std::any_of(header.elements.begin(), header.elements.end(),
                                       [](const Element& element) { return element.has_strips(); });
   const std::shared_ptr<Ply_source> source // whose corners have a place for texture coordinates
@@ -325,9 +340,7 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
     else if(element.has_strips())
       read_strips(element, attributes, values, soup);
     else
-      for(int i = 0; i < element.number && !element.properties.empty(); ++i)
-        for(const Property& property : element.properties)
-          skip(property, values);
+      skip_elements(element, values);
   }
   complete_point_attributes(soup);
   const auto has_value = [](const auto& uv) { return uv.has_value(); };
