@@ -7,6 +7,8 @@
 
 #include "Named_surface.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/soup/are_polygons_apart.h>
+
 #include <limits>
 #include <numeric>
 #include <string>
@@ -74,11 +76,7 @@ bool Named_surface::is_welded() const
   if(m_arguments.weld != Weld::AUTO)
     return m_arguments.weld == Weld::ON;
   const Polygon_soup_view& soup = m_arguments.soup;
-  std::vector<char> is_used(soup.number_of_points(), 0);
-  for(const std::int64_t v : soup.corners)
-    if(std::size_t(v) < is_used.size() && std::exchange(is_used[std::size_t(v)], char(1)))
-      return false;
-  return soup.number_of_polygons() > 1;
+  return SMC::internal::are_polygons_apart(soup.corners, soup.number_of_points(), int(soup.number_of_polygons()));
 }
 
 std::vector<std::size_t> Named_surface::representatives(const Soup_adapter& adapter) const

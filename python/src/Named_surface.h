@@ -33,7 +33,7 @@ using SMC::internal::Soup_adapter;
 // Results do not depend on it.
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
-enum class Weld { AUTO, ON, OFF }; // AUTO: where no two polygons share a point
+enum class Weld { AUTO, ON, OFF }; // AUTO: where (nearly) no two polygons share a point
 
 struct Surface_arguments
 {

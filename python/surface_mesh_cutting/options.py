@@ -43,7 +43,8 @@ class SurfaceOptions(RunOptions, total=False):
     Parameters
     ----------
     weld : {"auto", "on", "off"}
-        Whether points at exactly the same place count as one; by default where no two faces share a point.
+        Whether points at exactly the same place count as one; by default where (nearly) no two faces share a point:
+        less than one corner in a hundred.
     strict : bool
         Whether to refuse what is otherwise interpreted: polygons, places that are not manifold, inconsistent
         orientation, degenerate and duplicate faces. Points are then not welded. Default: `False`.

@@ -140,6 +140,10 @@ def test_interpreted():
     welded = smc.unwrap(soup, alone)
     assert welded.components == 1 and welded.interpreted[0].what == "welded_vertices"
     assert smc.greedy_cut(soup, alone, weld="off").components == len(faces)
+    nearly_alone = alone.copy()
+    neighbor = next(i for i in range(1, len(faces)) if faces[0, 0] in faces[i])
+    nearly_alone[neighbor, list(faces[neighbor]).index(faces[0, 0])] = 0
+    assert smc.greedy_cut(soup, nearly_alone).components == 1
     # Any of the points at one place names it.
     first = [int(np.flatnonzero((soup == point).all(axis=1))[0]) for point in soup[alone[0, :2]]]
     last = [int(np.flatnonzero((soup == point).all(axis=1))[-1]) for point in soup[alone[0, :2]]]

@@ -111,6 +111,24 @@ class Interpretation(Case):
         self.assertEqual(self.report("a.stl")[1]["components"], 1)
         self.assertEqual(self.report("a.stl", "--weld", "off")[1]["components"], len(SPHERE[1]))
 
+    def test_welding_where_few_share(self):
+        """Programs that write each triangle for itself may still let the halves of a quadrilateral share points."""
+        points, faces = sphere(4)
+        for number_of_pairs, components in ((1, 1), (len(faces) // 4, 3 * len(faces) // 4)):
+            corners, soup, of_edges = [], [], {}  # of the faces that are in no pair
+            for face in faces:
+                partner = next((of_edges[edge] for edge in pairs(face) if edge in of_edges), {}) if number_of_pairs else {}
+                number_of_pairs -= bool(partner)
+                of_edges = {edge: found for edge, found in of_edges.items() if found is not partner}
+                shared = {v: partner[v] for v in face if v in partner}
+                soup.append(tuple(shared.get(v, len(corners) + k) for k, v in enumerate(face)))
+                corners += [points[v] for v in face]
+                if not partner:
+                    of_edges.update(dict.fromkeys(pairs(face), dict(zip(face, soup[-1]))))
+            self.assertEqual(number_of_pairs, 0)
+            report, _ = self.unwrap_all((corners, soup), "--effort", "fast")
+            self.assertEqual(report["components"], components)
+
     def test_obj_keeps_what_it_says(self):
         lines = ["# made by a test", "mtllib a.mtl", "o thing"]
         lines += ["v " + " ".join(map(repr, point)) + " 0.5 0.25 1" for point in SPHERE[0]]

@@ -150,7 +150,7 @@ void add_input_options(CLI::App& app, Options& options)
   const std::string group = "Input";
   app.add_flag("--strict", options.is_strict, "Refuse what is otherwise interpreted (see below)")->group(group);
   app.add_option("--weld", options.weld,
-                 "Whether vertices at exactly the same point count as one;\nauto: for STL, and where no two faces share a vertex")
+                 "Whether vertices at exactly the same point count as one;\nauto: for STL, and where (nearly) no faces share a vertex")
     ->check(CLI::IsMember({"auto", "on", "off"}))->default_str(options.weld)->group(group);
 }
 

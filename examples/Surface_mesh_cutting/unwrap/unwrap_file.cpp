@@ -7,9 +7,10 @@
 #include "soup_checks.h"
 #include "stop_request.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/soup/are_polygons_apart.h>
+
 #include <exception>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -22,16 +23,11 @@ int number_of_other_polygons(const Polygon_soup& soup)
   return number;
 }
 
-// Where no two polygons share a vertex, indices say nothing about the surface.
 bool is_welded(const Polygon_soup& soup, const std::string& weld)
 {
   if(weld != "auto")
     return weld == "on";
-  std::vector<char> is_used(soup.points.size(), 0);
-  for(const int v : soup.corners)
-    if(std::exchange(is_used[std::size_t(v)], char(1)))
-      return false;
-  return soup.number_of_polygons() > 1;
+  return CGAL::Surface_mesh_cutting::internal::are_polygons_apart(soup.corners, soup.points.size(), soup.number_of_polygons());
 }
 
 void unwrap_file(const Options& options, Output_places& places, Outcome& outcome)
