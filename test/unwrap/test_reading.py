@@ -41,6 +41,7 @@ READABLE = {
     "text.ply": to_ply(SPHERE, "ascii"),
     "little.ply": to_ply(SPHERE, "binary_little_endian"),
     "big.PLY": to_ply(SPHERE, "binary_big_endian"),
+    "old_comments.obj": "$ made by a test\n" + to_obj(SPHERE),
     "old_faces.obj": to_obj(SPHERE).replace("\nf ", "\nfo "),
     "mark.off": b"\xef\xbb\xbf" + to_off(SPHERE).encode(),
     "mark.obj": b"\xef\xbb\xbf" + DECORATED_OBJ.encode(),

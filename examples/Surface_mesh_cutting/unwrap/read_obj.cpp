@@ -115,6 +115,8 @@ Polygon_soup read_obj(std::string_view text, Attributes attributes)
       read_texture_point(scanner, texture);
     else if(keyword == "f" || keyword == "fo") // the same in old files
       read_polygon(scanner, attributes, soup, texture);
+    else if(keyword.front() == '$')
+      ; // a comment of the early nineties
     else if(!is_skipped(keyword))
       scanner.fail("a statement of the OBJ format", keyword);
     else if(attributes.has_looks)
