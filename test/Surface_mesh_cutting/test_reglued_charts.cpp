@@ -5,6 +5,7 @@
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_regluing.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_seams.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_regluer.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
@@ -255,6 +256,63 @@ bool check_injective_regluing(const Indexed_mesh& mesh, bool has_weights, bool i
   return true;
 }
 
+// The faces by the nearest of a few of them.
+std::vector<int> random_parts(const Indexed_mesh& mesh, int number, CGAL::Random& random)
+{
+  std::vector<int> part(mesh.number_of_faces(), -1), queue;
+  while(int(queue.size()) < number)
+    if(const int f = random.get_int(0, mesh.number_of_faces()); part[f] < 0)
+    {
+      part[f] = int(queue.size());
+      queue.push_back(f);
+    }
+  for(std::size_t i = 0; i < queue.size(); ++i)
+    for(int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h)
+      if(const int f = mesh.opposite(h) / 3; part[f] < 0)
+      {
+        part[f] = part[queue[i]];
+        queue.push_back(f);
+      }
+  return part;
+}
+
+// Whatever pieces the paths come in, each edge between two parts lies on one seam, and no two seams close the same edges.
+void test_seams(CGAL::Random& random)
+{
+  const Indexed_mesh mesh = test::random_star_shape(5, random);
+  const Problem problem{mesh, {}, unconstrained(mesh), {}, Initial_cut(Cut(mesh.number_of_edges(), 0)), true};
+  const std::vector<int> part = random_parts(mesh, random.get_int(3, 12), random);
+  Cut cut(mesh.number_of_edges(), 0);
+  std::vector<std::vector<int> > paths;
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    if(part[mesh.halfedge(e) / 3] != part[mesh.opposite(mesh.halfedge(e)) / 3])
+    {
+      cut[e] = 1;
+      paths.insert(paths.begin() + random.get_int(0, int(paths.size()) + 1), {e});
+    }
+  const Connected_parts parts(make_chart(mesh, cut).opposites());
+  const std::vector<Chart_seam> seams = seams_along(paths, problem, cut, parts);
+  Cut covered(mesh.number_of_edges(), 0);
+  std::vector<Cut> closed;
+  for(const Chart_seam& seam : seams)
+  {
+    closed.push_back(cut);
+    for(const int e : seam.edges)
+    {
+      check(!covered[e], "an edge on two seams");
+      covered[e] = 1;
+      closed.back()[e] = 0;
+    }
+    check(std::abs(total_length(mesh, seam.edges) - seam.cost) < 1e-9 * seam.cost, "cost of a seam");
+    close_dead_ends(paths, mesh, closed.back());
+  }
+  check(covered == cut, "an edge on no seam");
+  for(std::size_t i = 0; i < seams.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      check(closed[i] != closed[j], "two seams close the same edges");
+  check(seams.size() < paths.size(), "seams of single edges");
+}
+
 } // namespace
 
 int main()
@@ -263,6 +321,8 @@ int main()
   std::cout << "seed " << random.get_seed() << std::endl;
   for(int i = 0; i < 10; ++i)
     test_winding(random);
+  for(int i = 0; i < 50; ++i)
+    test_seams(random);
   constexpr int number_of_surfaces = 40;
   double sum = 0;
   for(int i = 0; i < number_of_surfaces; ++i)
