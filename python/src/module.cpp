@@ -14,6 +14,8 @@
 #include "pack.h"
 #include "supervise.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,11 +23,6 @@
 namespace {
 
 using namespace binding;
-
-SMC::Effort effort_of(const std::string& name)
-{
-  return name == "fast" ? SMC::Effort::FAST : name == "best" ? SMC::Effort::BEST : SMC::Effort::DEFAULT;
-}
 
 SMC::Connection connection_of(const std::string& name)
 {
@@ -45,7 +42,7 @@ std::string read_name(const Call& call, const char* key)
 Cutting_options read_cutting_options(const Call& call)
 {
   Cutting_options options;
-  options.effort = effort_of(read_name(call, "effort"));
+  options.effort = SMC::internal::effort_of(read_name(call, "effort"));
   options.connection = connection_of(read_name(call, "connection"));
   read(call, "faithful", options.use_published_method);
   read(call, "bijective", options.do_bijective);
@@ -67,7 +64,7 @@ Packing_options read_packing_options(const Call& call)
   Packing_options options;
   read(call, "margin", options.margin);
   read(call, "texture_size", options.texture_size);
-  options.effort = effort_of(read_name(call, "effort"));
+  options.effort = SMC::internal::effort_of(read_name(call, "effort"));
   return options;
 }
 

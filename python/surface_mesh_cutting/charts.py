@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, Optional, cast
 
 from . import _arrays, _extension
 from .errors import error_of, to_finding
-from .options import INT_MAX, SurfaceOptions, choice, flag, integer, read, real
+from .options import EFFORTS, INT_MAX, SurfaceOptions, choice, flag, integer, read, real
 from .results import Certificate, PackingResult, make
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
     call.update(read("pack_charts", SurfaceOptions, options), bijective=flag("bijective", bijective),
                 margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size),
-                effort=choice("fast", "default", "best")("effort", effort))
+                effort=choice(*EFFORTS)("effort", effort))
     found = _extension.pack_charts(call)
     if found["has_result"]:
         found["corner_uv"] = found["corner_uv"].reshape(*shape, 2)

@@ -14,6 +14,7 @@ from . import _arrays
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+EFFORTS = ("fast", "default", "best")
 CONNECTIONS = ("best", "exact", "greedy", "shortest_path_heuristic", "metric_closure")
 
 
@@ -44,7 +45,7 @@ class SurfaceOptions(RunOptions, total=False):
     ----------
     weld : {"auto", "on", "off"}
         Whether points at exactly the same place count as one; by default where (nearly) no two faces share a point:
-        less than one corner in a hundred.
+        at most one corner in a hundred.
     strict : bool
         Whether to refuse what is otherwise interpreted: polygons, places that are not manifold, inconsistent
         orientation, degenerate and duplicate faces. Points are then not welded. Default: `False`.
@@ -97,7 +98,7 @@ class CuttingOptions(ConnectionOptions, total=False):
     Parameters
     ----------
     effort : {"fast", "default", "best"}
-        How much work to spend on a short cut.
+        How much work to spend on a short cut and, by `unwrap`, on packing the charts.
     maximum_average_distortion : float, optional
         An upper bound, greater than 4, on the area-averaged symmetric Dirichlet energy. The cut grows until the map keeps
         it; if none does, the status is ``"bound_not_reached"``. No bound by default.
@@ -195,7 +196,7 @@ _READERS: dict[str, Callable[[str, Any], Any]] = {
     "mandatory_edges": _arrays.edges, "forbidden_edges": _arrays.edges, "initial_cut": _arrays.edges,
     "terminals": _terminals,
     "connection": choice(*CONNECTIONS), "maximum_number_of_states": integer(0, 2**63 - 1),
-    "effort": choice("fast", "default", "best"), "faithful": flag, "seed": integer(0, 2**32 - 1),
+    "effort": choice(*EFFORTS), "faithful": flag, "seed": integer(0, 2**32 - 1),
     **dict.fromkeys(["maximum_average_distortion", "minimum_distortion_decrease", "minimum_length_decrease",
                      "minimum_area_ratio", "influence_threshold", "forbidden_radius"], real)}
 

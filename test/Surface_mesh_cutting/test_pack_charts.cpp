@@ -155,8 +155,7 @@ void test_random_charts(CGAL::Random& random)
       Charts others = charts; // the property maps of a copy are its own
       others.uv = others.mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
       others.is_cut = others.mesh.add_property_map<Mesh::Edge_index, bool>("e:cut").first;
-      const auto effort = number > 10 ? CGAL::Surface_mesh_cutting::Effort::FAST : CGAL::Surface_mesh_cutting::Effort::DEFAULT;
-      const auto np = parameters::margin(margin).texture_size(512).effort(effort);
+      const auto np = parameters::margin(margin).texture_size(512);
       const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, np);
       assert(result && result.number_of_charts == number);
       check_distances(charts, margin, 512);

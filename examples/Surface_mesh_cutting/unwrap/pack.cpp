@@ -1,8 +1,8 @@
 #include "pack.h"
 
 #include "Progress_visitor.h"
-#include "effort.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 #include <CGAL/Surface_mesh_cutting/pack_charts.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -51,7 +51,7 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
     CGAL::parameters::margin(options.margin)
       .texture_size(options.texture_size)
       .do_bijective(is_injective(options))
-      .effort(effort_of(options.effort))
+      .effort(SMC::internal::effort_of(options.effort))
       .visitor(std::ref(visitor)));
   add_packing(outcome.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count());
   add_packing(outcome.cpu_seconds, double(std::clock() - cpu_start) / CLOCKS_PER_SEC);

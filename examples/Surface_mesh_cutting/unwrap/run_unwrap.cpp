@@ -3,13 +3,13 @@
 #include "Constraints.h"
 #include "Progress_visitor.h"
 #include "make_layout.h"
-#include "effort.h"
 #include "pack.h"
 #include "stop_request.h"
 
 #include <CGAL/Default.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
@@ -155,7 +155,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
   const auto parameters
     = CGAL::parameters::visitor(std::ref(visitor))
       .random_seed(options.seed)
-      .effort(effort_of(options.effort))
+      .effort(SMC::internal::effort_of(options.effort))
       .use_published_method(options.is_faithful)
       .do_bijective(is_injective(options))
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))

@@ -74,13 +74,8 @@ private:
 inline std::vector<int> ends_and_forks(const Indexed_mesh& mesh, const Cut& cut)
 {
   const std::vector<char> is_on_border = open_vertices(mesh, Cut(mesh.number_of_edges(), 0));
-  std::vector<int> degree(mesh.number_of_vertices(), 0), vertices;
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    if(cut[e])
-    {
-      ++degree[mesh.source(mesh.halfedge(e))];
-      ++degree[mesh.target(mesh.halfedge(e))];
-    }
+  const std::vector<int> degree = cut_degrees(mesh, cut);
+  std::vector<int> vertices;
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     if(degree[v] > 0 && degree[v] != 2 && !is_on_border[v])
       vertices.push_back(v);

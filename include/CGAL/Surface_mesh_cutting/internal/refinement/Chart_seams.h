@@ -55,14 +55,6 @@ inline void close_dead_ends(const std::vector<std::vector<int> >& paths, const I
     cut[e] = 1;
 }
 
-// How many edges at a vertex the surface is open along.
-inline int number_of_open_edges(const Indexed_mesh& mesh, const Cut& cut, int v)
-{
-  const auto first = mesh.graph().arcs.begin();
-  return int(std::count_if(first + mesh.graph().offsets[v], first + mesh.graph().offsets[v + 1],
-                           [&](const auto& arc) { return cut[arc.edge] || mesh.is_border_edge(arc.edge); }));
-}
-
 // Takes together what follows each other between the same two parts: where nothing else ends between two pieces, one cannot be
 // closed without the other.
 inline std::vector<Chart_seam> whole_seams(std::vector<Chart_seam> pieces, const Indexed_mesh& mesh, const Cut& cut)
@@ -73,12 +65,14 @@ inline std::vector<Chart_seam> whole_seams(std::vector<Chart_seam> pieces, const
       for(int v : {mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))})
         touched.emplace_back(v, int(i));
   std::sort(touched.begin(), touched.end());
+  const std::vector<int> degrees = cut_degrees(mesh, cut);
+  const std::vector<char> is_on_border = open_vertices(mesh, Cut(mesh.number_of_edges(), 0));
   CGAL::internal::Graph_kernel::Disjoint_sets seams{int(pieces.size())};
   for(std::size_t k = 1; k < touched.size(); ++k)
   {
     const auto [u, i] = touched[k - 1];
     const auto [v, j] = touched[k];
-    if(u == v && i != j && pieces[i].parts == pieces[j].parts && number_of_open_edges(mesh, cut, v) == 2)
+    if(u == v && i != j && pieces[i].parts == pieces[j].parts && degrees[v] == 2 && !is_on_border[v])
       seams.unite(i, j);
   }
   std::vector<Chart_seam> result;

@@ -31,25 +31,12 @@ struct Leaf_branch
   std::vector<int> edges;    // edges[i] joins vertices[i] and vertices[i+1]
 };
 
-// The number of cut edges at each vertex.
-inline std::vector<int> cut_degrees(const Indexed_mesh& mesh, const Cut& cut)
-{
-  std::vector<int> degrees(mesh.number_of_vertices(), 0);
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    for(int v : {mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))})
-      degrees[v] += cut[e];
-  return degrees;
-}
-
 // All such paths, in the order of their tips' indices. A path with two tips is found from both.
 // `is_end` tells, per vertex, where they end in any case; O(n).
 inline std::vector<Leaf_branch> leaf_branches(const Indexed_mesh& mesh, const Cut& cut, const std::vector<char>& is_end)
 {
   const std::vector<int> degree = cut_degrees(mesh, cut);
-  std::vector<char> is_on_border(mesh.number_of_vertices(), 0);
-  for(int e = 0; e < mesh.number_of_edges(); ++e)
-    for(int v : {mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))})
-      is_on_border[v] = is_on_border[v] || mesh.is_border_edge(e);
+  const std::vector<char> is_on_border = open_vertices(mesh, Cut(mesh.number_of_edges(), 0));
   std::vector<Leaf_branch> branches;
   for(int tip = 0; tip < mesh.number_of_vertices(); ++tip)
   {

@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Leaf_branches.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/estimate_gains.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>

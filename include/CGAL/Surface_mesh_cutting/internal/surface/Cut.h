@@ -64,6 +64,16 @@ inline std::vector<char> open_vertices(const Indexed_mesh& mesh, const Cut& cut)
   return is_open;
 }
 
+// The number of cut edges at each vertex.
+inline std::vector<int> cut_degrees(const Indexed_mesh& mesh, const Cut& cut)
+{
+  std::vector<int> degrees(mesh.number_of_vertices(), 0);
+  for(int e = 0; e < mesh.number_of_edges(); ++e)
+    for(int v : {mesh.source(mesh.halfedge(e)), mesh.target(mesh.halfedge(e))})
+      degrees[v] += cut[e];
+  return degrees;
+}
+
 inline Cut make_cut(const Indexed_mesh& mesh, const std::vector<int>& edges)
 {
   Cut cut(mesh.number_of_edges(), 0);

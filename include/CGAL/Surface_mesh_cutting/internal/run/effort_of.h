@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_EFFORT_OF_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_EFFORT_OF_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// As command lines and other languages call it; the default if they call nothing.
+inline Effort effort_of(const std::string& name)
+{
+  return name == "fast" ? Effort::FAST : name == "best" ? Effort::BEST : Effort::DEFAULT;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_EFFORT_OF_H
