@@ -70,11 +70,12 @@ private:
   // Each takes two solves of the whole surface: fewer on large ones, and none on the largest.
   int maximum_number_of_parts() const
   {
-    constexpr int enough_parts = 8, enough_faces = 120000;
+    constexpr int enough_parts = 24, enough_faces = 240000;
     return (std::min)(enough_parts, enough_faces / m_problem.mesh.number_of_faces());
   }
 
-  // Without the part; its energy is infinite if that is above the bound even where parts of the chart may overlap.
+  // Without the part. If its energy is above the bound even where parts of the chart may overlap, then that one, as far as
+  // it was followed: how much is missing tells whether less of the part can be closed.
   Injective_cut closed(const Branch_removal& part, double bound, const Injective_cut& cut)
   {
     Injective_cut result;
@@ -85,7 +86,10 @@ private:
     std::remove_copy(cut.ends.begin(), cut.ends.end(), std::back_inserter(result.ends), part.tip);
     if(part.new_tip >= 0)
       result.ends.push_back(part.new_tip);
-    if(!m_map.initialize(result.cut, bound))
+    const bool keeps_bound = m_map.initialize(result.cut, bound);
+    if(m_map.energy() > bound)
+      result.map.energy = m_map.energy();
+    if(!keeps_bound)
       return result;
     const Newton_result newton = final_map(m_problem, m_map.state(), m_context, result.map.uv);
     if(newton.outcome != Newton_outcome::FAILED)
