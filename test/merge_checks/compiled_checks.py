@@ -5,11 +5,13 @@ usage: compiled_checks.py SOURCE_FOLDER CHECK COMPILER [OPTION...]
 named_parameters       each documented named parameter compiles
 package_dependencies   package_info/.../dependencies is what the headers include
 write_dependencies     writes that file
+varied_constants       the headers compile whose tuned constants are not constant expressions
 """
 
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 
@@ -65,10 +67,24 @@ def write_dependencies(root, command):
     file.write_text("\n".join(computed_dependencies(root, command)) + "\n")
 
 
+def varied_constants(root, command):
+    folder = root / "benchmark/constants"
+    sys.path.insert(0, str(folder))
+    import varied_headers  # of the project that is checked
+
+    constants = varied_headers.read_constants(folder / "constants.csv")
+    headers = sorted({row["file"] for row in constants if row["file"].endswith(".h")})
+    source = "".join(f"#include <CGAL/{header}>\n" for header in headers)
+    with tempfile.TemporaryDirectory() as varied:
+        varied_headers.write_varied_headers(root / "include", Path(varied), constants)
+        compile_source(source, [command[0], f"-I{varied}", *command[1:]], "-fsyntax-only")
+    print("checked:", *headers)
+
+
 def main():
     checks = {
         check.__name__: check
-        for check in (named_parameters, package_dependencies, write_dependencies)
+        for check in (named_parameters, package_dependencies, write_dependencies, varied_constants)
     }
     if len(sys.argv) < 4 or sys.argv[2] not in checks:
         sys.exit(__doc__)

@@ -214,7 +214,7 @@ private:
     first.decrement = near;
     first.maximum_iterations = o.maximum_iterations = enough_factorizations;
     // What is stopped further from its optimum would pass for a map that is worse than it can be.
-    o.stop = [stop = o.stop](const Newton_state& s) { return s.decrement < nearer * s.energy && stop(s); };
+    o.stop = [=, stop = o.stop](const Newton_state& s) { return s.decrement < nearer * s.energy && stop(s); };
     if(!improve(parameterizer, first).is_converged())
       return false;
     const Newton_result result = improve(parameterizer, o);

@@ -144,14 +144,14 @@ public:
 
   // Moves ends and ways of a cut whose map without overlaps keeps the bound, by the energy of that map: where parts are in
   // each other's way, cuts that hardly differ need more room or less, and slits for room start where the cut happened to be
-  // near. What ends above the bound is relieved once more.
-  void move_ends_and_ways(double bound, Component_result& result) const
+  // near. What ends above the bound is relieved once more. False if the former cut stays.
+  bool move_ends_and_ways(double bound, Component_result& result) const
   {
     constexpr double step = 0.1; // of the length of the cut
     Working_cut cut(m_problem, m_context);
     End_search<ConcurrencyTag> search(m_problem, m_context.parameters, false, cut);
     if(!search.can_move() || !cut.start_injectively(injective_cut(result)))
-      return;
+      return false;
     search.reroute();
     search.move_ends(step);
     search.reroute();
@@ -160,8 +160,10 @@ public:
     relieve(cut.chart(), bound, moved);
     if(search.best() && (moved.energy > bound || moved.cost > search.best()->cost))
       take_other_ends(injective_cut(*search.best()), moved);
-    if(moved.energy <= bound && moved.cost < result.cost)
-      result = std::move(moved);
+    if(!(moved.energy <= bound && moved.cost < result.cost))
+      return false;
+    result = std::move(moved);
+    return true;
   }
 
   // Replaces the map by one without overlaps of several charts: parts of the given one, as many as it takes for an energy of

@@ -160,10 +160,8 @@ private:
       return;
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     m_parameterizer.trim(m_bound, result);
-    if(!m_moves_ends)
-      return;
-    m_parameterizer.move_ends_and_ways(m_bound, result);
-    m_parameterizer.trim(m_bound, result); // that may have left some room below the bound
+    if(m_moves_ends && m_parameterizer.move_ends_and_ways(m_bound, result))
+      m_parameterizer.trim(m_bound, result); // that may have left some room below the bound
   }
 
   void divide(const std::vector<Crowded>& crowded, Component_result& result) const
