@@ -7,6 +7,7 @@ from support import (Case, joined, main, octahedron, ply_header, read_obj, spher
                      to_binary_stl, to_obj, to_off, to_ply, to_text_stl, torus, without_face)
 
 SPHERE = sphere(1)
+OFF_HEADER = "".join(line + "\n" for line in to_off(SPHERE).splitlines()[:2])
 OFF_POINTS = "".join(line + "\n" for line in to_off(SPHERE).splitlines()[2:20])
 
 
@@ -55,6 +56,9 @@ READABLE = {
         to_ply(SPHERE, "ascii").split(b"end_header\n"))),
     "made_by.ply": to_ply(SPHERE, "ascii").replace(b"comment made", b"Made"),
     "many_in_a_line.off": several_in_a_line(to_off(SPHERE), 4),
+    "no_space.off": to_off(SPHERE).replace("OFF\n", "OFF", 1),
+    "a_line_for_each_number.off": OFF_HEADER + to_off(SPHERE)[len(OFF_HEADER):].replace(" ", "\n"),
+    "broken_lines.off": OFF_HEADER + OFF_POINTS + to_off(SPHERE)[len(OFF_HEADER + OFF_POINTS):].replace(" ", " \n", 7),
     "all_in_a_line.off": several_in_a_line(to_off(SPHERE), len(SPHERE[0])),
     "off_inside.mesh": to_off(SPHERE),
     "ply_inside": to_ply(SPHERE, "binary_little_endian"),

@@ -24,6 +24,8 @@ public:
   std::string_view word();
   // The next word of the current line; empty if there is none.
   std::string_view word_in_line();
+  // The end of the word that was read last becomes the next word.
+  void put_back(std::string_view end) { m_text = {end.data(), m_text.size() + std::size_t(m_text.data() - end.data())}; }
   // Leaves the current line.
   void skip_line();
 

@@ -16,14 +16,18 @@ struct Point_line
   bool has_normal = false, has_color = false, has_uv = false; // in this order
 };
 
-// Reads the word OFF with its prefixes. Files that start with the counts have been seen, too.
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
+
+// Reads the word OFF with its prefixes. Files that start with the counts have been seen, too, and many without a space
+// between them and the word.
 Point_line read_word_of_format(Text_scanner& scanner)
 {
-  const Text_scanner start = scanner;
+  constexpr std::string_view off = "OFF";
   const std::string_view word = scanner.word();
-  if(!word.empty() && std::isdigit(static_cast<unsigned char>(word.front())) && word != "4OFF")
+  const std::size_t length = word.compare(0, off.size(), off) == 0 ? off.size() : 0;
+  if(word.size() > length && is_digit(word[length]) && word != "4OFF")
   {
-    scanner = start;
+    scanner.put_back(word.substr(length));
     return {};
   }
   if(word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF" && word != "STOFF"
@@ -59,15 +63,15 @@ void read_attributes(Point_line line, Text_scanner& scanner, Point_uvs& uvs, Pol
     uvs.push_back(read_uv(scanner));
 }
 
-// Without a line for each point, there is nothing but coordinates.
+// Without a line for each point, there is nothing but coordinates, in any lines.
 Point_uvs read_points(Text_scanner& scanner, int number, const std::optional<Point_line>& line, Polygon_soup& soup)
 {
   Point_uvs uvs;
   for(int i = 0; i < number; ++i)
   {
     const double x = scanner.number();
-    const double y = scanner.number_in_line();
-    const double z = scanner.number_in_line();
+    const double y = line ? scanner.number_in_line() : scanner.number();
+    const double z = line ? scanner.number_in_line() : scanner.number();
     soup.points.push_back({{x, y, z}});
     if(!line)
       continue;
@@ -97,7 +101,7 @@ Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line
   {
     const int size = scanner.index();
     for(int k = 0; k < size; ++k)
-      soup.corners.push_back(scanner.index_in_line());
+      soup.corners.push_back(line ? scanner.index_in_line() : scanner.index());
     soup.close_polygon();
     scanner.skip_line();
   }
@@ -107,7 +111,7 @@ Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line
   return soup;
 }
 
-std::optional<Polygon_soup> try_several_points_in_a_line(Text_scanner& scanner)
+std::optional<Polygon_soup> try_any_lines(Text_scanner& scanner)
 {
   try
   {
@@ -124,8 +128,8 @@ std::optional<Polygon_soup> try_several_points_in_a_line(Text_scanner& scanner)
 
 } // namespace
 
-// Usually, each point has a line of its own, and what follows its coordinates is passed over. Some
-// files have several in a line: that is tried where the other reading fails, and must account for all.
+// Usually, each point and each polygon has a line of its own, and what follows its numbers is passed over. Some files
+// have several points in a line, or one in several: that is tried where the other reading fails, and must account for all.
 Polygon_soup read_off(std::string_view text, Attributes attributes)
 {
   Text_scanner scanner(without_byte_order_mark(text));
@@ -142,7 +146,7 @@ Polygon_soup read_off(std::string_view text, Attributes attributes)
     if(failure.code != Exit_code::UNREADABLE)
       throw;
     scanner = behind_header;
-    const std::optional<Polygon_soup> soup = try_several_points_in_a_line(scanner);
+    const std::optional<Polygon_soup> soup = try_any_lines(scanner);
     if(!soup)
       throw;
     return *soup;
