@@ -63,6 +63,12 @@ void read_attributes(Point_line line, Text_scanner& scanner, Point_uvs& uvs, Pol
     uvs.push_back(read_uv(scanner));
 }
 
+// The next number of a point or polygon: in the same line if each has a line of its own.
+std::string_view next_word(Text_scanner& scanner, bool has_lines)
+{
+  return has_lines ? scanner.word_in_line() : scanner.word();
+}
+
 // Without a line for each point, there is nothing but coordinates, in any lines.
 Point_uvs read_points(Text_scanner& scanner, int number, const std::optional<Point_line>& line, Polygon_soup& soup)
 {
@@ -70,8 +76,8 @@ Point_uvs read_points(Text_scanner& scanner, int number, const std::optional<Poi
   for(int i = 0; i < number; ++i)
   {
     const double x = scanner.number();
-    const double y = line ? scanner.number_in_line() : scanner.number();
-    const double z = line ? scanner.number_in_line() : scanner.number();
+    const double y = scanner.to_number(next_word(scanner, line.has_value()));
+    const double z = scanner.to_number(next_word(scanner, line.has_value()));
     soup.points.push_back({{x, y, z}});
     if(!line)
       continue;
@@ -101,7 +107,7 @@ Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line
   {
     const int size = scanner.index();
     for(int k = 0; k < size; ++k)
-      soup.corners.push_back(line ? scanner.index_in_line() : scanner.index());
+      soup.corners.push_back(scanner.to_index(next_word(scanner, line.has_value())));
     soup.close_polygon();
     scanner.skip_line();
   }

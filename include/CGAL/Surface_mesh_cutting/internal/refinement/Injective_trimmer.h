@@ -86,11 +86,12 @@ private:
     std::remove_copy(cut.ends.begin(), cut.ends.end(), std::back_inserter(result.ends), part.tip);
     if(part.new_tip >= 0)
       result.ends.push_back(part.new_tip);
-    const bool keeps_bound = m_map.initialize(result.cut, bound);
-    if(m_map.energy() > bound)
-      result.map.energy = m_map.energy();
-    if(!keeps_bound)
+    if(!m_map.initialize(result.cut, bound))
+    {
+      if(m_map.energy() > bound)
+        result.map.energy = m_map.energy();
       return result;
+    }
     const Newton_result newton = final_map(m_problem, m_map.state(), m_context, result.map.uv);
     if(newton.outcome != Newton_outcome::FAILED)
       result.map.energy = newton.energy;
