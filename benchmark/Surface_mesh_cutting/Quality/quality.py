@@ -15,7 +15,7 @@ from known_cuts import measure_known  # noqa: E402
 from layouts import measure_packing, measure_weights  # noqa: E402
 from meshes import CLOSED, FIGURES  # noqa: E402
 from room import measure_ramp, measure_room  # noqa: E402
-from searches import measure_best, measure_optcuts, measure_seeds  # noqa: E402
+from searches import measure_best, measure_best_on_models, measure_optcuts, measure_seeds  # noqa: E402
 from trees import measure_many_terminals, measure_pace, measure_trees  # noqa: E402
 
 # Where no time counts, several runs go side by side; processor seconds are then a little longer than alone.
@@ -105,6 +105,10 @@ CLAIMS = [
           "Effort best is {dominated} times of {runs} worse than a smaller one from three seeds, on {surfaces} surfaces with and without "
           "bounds; with one, its cuts are {shorter_percent:.1f} % shorter than default ones, in {ratio:.0f} times their time",
           measure_best, is_long=True),
+    Claim("best_on_models", 150,
+          "Effort best is {dominated} times of {runs} worse than a smaller one from three seeds, on {surfaces} closed surfaces with and "
+          "without bounds; with one, its cuts are {shorter_percent:.1f} % shorter than default ones; it takes {ratio:.1f} times their "
+          "time in the mean, {largest_ratio:.1f} times at most", measure_best_on_models, needs="--models FOLDER", is_long=True),
     Claim("optcuts", 1.5,
           "On {surfaces} surfaces at a bound of 4.1 without overlaps, cuts are {mean:.1f} % shorter than those of OptCuts in the mean and "
           "{least:.1f} % at least, in {seconds:.0f} s; overlaps left: {overlaps}", measure_optcuts, needs="--models FOLDER"),

@@ -10,7 +10,9 @@ from meshes import CLOSED, FIGURES
 
 HERE = pathlib.Path(__file__).resolve().parent
 OPTCUTS = HERE.parents[1] / "results" / "optcuts.csv"  # lengths of maps without overlaps at BOUND
+MODELS = HERE.parents[1] / "results" / "closed_models.csv"
 BOUND = "4.1"
+LONGEST = 3600  # seconds, for effort `best` on a large surface
 ROUNDING = 1e-9
 FEW = FIGURES[:5]  # small enough for effort `best` in four settings
 
@@ -41,26 +43,38 @@ def dominates(report, best, bound):
     return max(length, energy) <= ROUNDING and min(length, energy) < -ROUNDING
 
 
-def measure_best(bench):
+def compare_best(bench, meshes):
     """Effort `best` against the smaller ones from several seeds."""
-    bounds, seeds, meshes = ["", "4.2", "4.1", "4.05"], range(3), bench.meshes(FEW)
-    dominated, shorter, ratios = 0, [], []
-    for bound in bounds:
+    dominated, shorter, ratios, table = 0, [], [], [["Surface", "bound", "length", "energy", "shorter by", "times"]]
+    for bound in "", "4.2", "4.1", "4.05":
         def reports(effort, seed):
             limit = ["--max-distortion", bound] if bound else []
-            return bench.reports(meshes, "--effort", effort, "--seed", seed, *limit, jobs=bench.options.jobs)
+            return bench.reports(meshes, "--effort", effort, "--seed", seed, *limit, jobs=bench.options.jobs,
+                                 time_limit=LONGEST)
 
         best = reports("best", 0)
-        smaller = {(effort, seed): reports(effort, seed) for effort in ("default", "fast") for seed in seeds}
+        smaller = {(effort, seed): reports(effort, seed) for effort in ("default", "fast") for seed in range(3)}
         for i, found in enumerate(best):
             dominated += any(dominates(others[i], found, bound) for others in smaller.values())
-            defaults = [smaller["default", seed][i] for seed in seeds]
+            defaults = [smaller["default", seed][i] for seed in range(3)]
             ratios.append(total_seconds(found) / statistics.fmean(map(total_seconds, defaults)))
+            percent = 100 * (1 - found["cut_length"] / defaults[0]["cut_length"])
             if bound:
-                shorter.append(100 * (1 - found["cut_length"] / defaults[0]["cut_length"]))
-    return Measured({"surfaces": len(meshes), "settings": len(bounds), "runs": len(ratios), "dominated": dominated,
+                shorter.append(percent)
+            table.append([meshes[i].stem, bound or "none", f"{found['cut_length']:.3f}", f"{found['E_iso']:.4f}",
+                          f"{percent:.1f} %", f"{ratios[-1]:.1f}"])
+    return Measured({"surfaces": len(meshes), "runs": len(ratios), "dominated": dominated,
                      "shorter_percent": statistics.fmean(shorter), "ratio": statistics.fmean(ratios),
-                     "largest_ratio": max(ratios)})
+                     "largest_ratio": max(ratios)}, {"best": table})
+
+
+def measure_best(bench):
+    return compare_best(bench, bench.meshes(FEW))
+
+
+def measure_best_on_models(bench):
+    with open(MODELS, encoding="utf-8") as file:
+        return compare_best(bench, [bench.given("models") / row["model"] for row in csv.DictReader(file)])
 
 
 def measure_optcuts(bench):
