@@ -160,8 +160,12 @@ public:
     m_solver.pointer.reset(); // the next map is another one
   }
 
-  // Opens the slit in any case.
-  void open(const std::vector<int>& slit) { open_if_useful(slit, -std::numeric_limits<double>::infinity()); }
+  // Opens the slit in any case, unless the run was stopped.
+  void open(const std::vector<int>& slit)
+  {
+    if(end(begin(slit), slit, m_go_further()))
+      converge();
+  }
 
   // About what opening the slit would gain, mostly a little less: what the window of twice its length
   // (less if that is large) gains with the rest held fixed. The state stays as it is.

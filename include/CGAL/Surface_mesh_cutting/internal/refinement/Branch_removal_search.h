@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -32,6 +33,7 @@ namespace internal {
 struct Branch_removal
 {
   int tip = -1;
+  int last = -1;    // vertex of what is closed
   int new_tip = -1; // where the branch ends then, if it does not vanish
   std::vector<int> edges;
   double cost = 0; // saved
@@ -73,7 +75,9 @@ public:
         if(open_edges < size + 2) // it takes two open edges on a closed surface
           continue;
         Branch_removal removal = outer_part(branch, size);
-        const auto known = m_energies.find({removal.tip, removal.new_tip});
+        const auto known = m_energies.find({removal.tip, removal.last});
+        if(known != m_energies.end() && !std::isfinite(known->second))
+          continue; // which tells nothing of less
         if(known != m_energies.end())
           least_energy = known->second;
         if(!(least_energy < allowed_energy(removal.cost)))
@@ -133,19 +137,19 @@ public:
     for(const Leaf_branch& branch : leaf_branches(m_mesh, cut, is_end))
     {
       const std::size_t free_edges = number_of_free_edges(branch);
-      if(is_excluded[branch.vertices.front()] || free_edges == 0 || open_edges < free_edges + 2)
+      if(is_excluded[branch.vertices.front()] || free_edges == 0)
         continue;
       Branch_removal part = outer_part(branch, free_edges);
       if(part.cost > little_more * limit)
         part = outer_part(branch, number_of_edges_within(branch, limit));
-      if(part.cost > best.cost)
+      if(part.cost > best.cost && open_edges >= part.edges.size() + 2)
         best = std::move(part);
     }
     return best;
   }
 
-  // What closing this part costs, in energy.
-  void remember(const Branch_removal& removal, double energy) { m_energies[{removal.tip, removal.new_tip}] = energy; }
+  // What closing this part costs, in energy; infinite if it is out of the question for another reason.
+  void remember(const Branch_removal& removal, double energy) { m_energies[{removal.tip, removal.last}] = energy; }
 
 private:
   // Mandatory edges, and what is between them and the rest of the cut, stay.
@@ -159,8 +163,9 @@ private:
   {
     Branch_removal removal;
     removal.tip = branch.vertices.front();
+    removal.last = branch.vertices[size];
     if(size < branch.edges.size())
-      removal.new_tip = branch.vertices[size];
+      removal.new_tip = removal.last;
     removal.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
     removal.cost = total_cost(m_constraints, removal.edges);
     return removal;
@@ -193,7 +198,8 @@ private:
 
   const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
-  std::map<std::pair<int, int>, double> m_energies; // by former and new tip
+  // By tip and last vertex: a whole branch is another one when it comes to fork elsewhere.
+  std::map<std::pair<int, int>, double> m_energies;
 };
 
 } // namespace internal

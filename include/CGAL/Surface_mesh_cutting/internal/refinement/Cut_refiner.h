@@ -322,7 +322,9 @@ private:
       if(!m_cut.open(slit))
         break;
       drop_branches(limits, number_of_attempts, is_kept);
-      if(m_cut.cost() < former.cost && m_cut.energy() <= limits.energy && (!needs_tree || reconnect(limits)))
+      if(m_cut.cost() < former.cost &&
+         m_cut.energy() <= largest_energy(limits, former.chart.energy, former.cost - m_cut.cost()) &&
+         (!needs_tree || reconnect(limits)))
         return true;
     }
     m_cut.restore(std::move(former));

@@ -87,8 +87,10 @@ public:
       Mapped_cut former = m_cut.state();
       m_cut.drop_feature(v);
       m_cut.connect(m_parameters.connection_while_refining());
-      if(!m_cut.tree().status || m_cut.cost() > least_decrease * former.cost || !m_cut.map_tree(infinity) ||
-         !is_better_than(former))
+      if(m_cut.tree().status && m_cut.cost() <= least_decrease * former.cost && m_cut.map_tree(infinity) &&
+         is_better_than(former))
+        keep_best();
+      else
         m_cut.restore(std::move(former));
     }
   }
