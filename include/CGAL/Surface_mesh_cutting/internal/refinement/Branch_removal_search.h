@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -33,7 +32,6 @@ namespace internal {
 struct Branch_removal
 {
   int tip = -1;
-  int last = -1;    // vertex of what is closed
   int new_tip = -1; // where the branch ends then, if it does not vanish
   std::vector<int> edges;
   double cost = 0; // saved
@@ -75,9 +73,7 @@ public:
         if(open_edges < size + 2) // it takes two open edges on a closed surface
           continue;
         Branch_removal removal = outer_part(branch, size);
-        const auto known = m_energies.find({removal.tip, removal.last});
-        if(known != m_energies.end() && !std::isfinite(known->second))
-          continue; // which tells nothing of less
+        const auto known = m_energies.find({removal.tip, removal.new_tip});
         if(known != m_energies.end())
           least_energy = known->second;
         if(!(least_energy < allowed_energy(removal.cost)))
@@ -148,8 +144,8 @@ public:
     return best;
   }
 
-  // What closing this part costs, in energy; infinite if it is out of the question for another reason.
-  void remember(const Branch_removal& removal, double energy) { m_energies[{removal.tip, removal.last}] = energy; }
+  // What closing this part costs, in energy.
+  void remember(const Branch_removal& removal, double energy) { m_energies[{removal.tip, removal.new_tip}] = energy; }
 
 private:
   // Mandatory edges, and what is between them and the rest of the cut, stay.
@@ -163,9 +159,8 @@ private:
   {
     Branch_removal removal;
     removal.tip = branch.vertices.front();
-    removal.last = branch.vertices[size];
     if(size < branch.edges.size())
-      removal.new_tip = removal.last;
+      removal.new_tip = branch.vertices[size];
     removal.edges.assign(branch.edges.begin(), branch.edges.begin() + size);
     removal.cost = total_cost(m_constraints, removal.edges);
     return removal;
@@ -198,7 +193,7 @@ private:
 
   const Indexed_mesh& m_mesh;
   const Edge_constraints& m_constraints;
-  // By tip and last vertex: a whole branch is another one when it comes to fork elsewhere.
+  // By former and new tip. Where a branch comes to fork elsewhere, that of its former whole is a guess for the new one.
   std::map<std::pair<int, int>, double> m_energies;
 };
 
