@@ -55,6 +55,12 @@ class Bench:
             raise Missing(f"--{option} FOLDER")
         return folder
 
+    def models(self, table):
+        """The rows of one of the tables in benchmark/results, and where the model is that each names."""
+        with open(ROOT / "benchmark" / "results" / table, encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        return rows, [self.given("models") / row["model"] for row in rows]
+
     def records(self, meshes, *words, jobs=1, repetition=0, time_limit=600):
         """Those of Robustness/corpus/run_mesh.py, in the order of the meshes; what is there from a former call is not run
         again. Where times count, one run at a time."""

@@ -12,6 +12,7 @@
 
 #include <CGAL/Random.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iostream>
 #include <memory>
@@ -66,7 +67,7 @@ void test_halves(const Closed_surface& surface)
   const Incremental_parameterization map = surface.map(surface.path);
   std::vector<char> is_kept = surface.none;
   is_kept[surface.tips.front()] = 1;
-  std::size_t former_size = 2 * surface.path.size(); // more than there are
+  std::size_t former_size = std::count(surface.path.begin(), surface.path.end(), 1); // all of it must stay
   for(;;)
   {
     const Branch_removal part = search.best(map, {}, is_kept, [](double) { return 1.; });

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Measures what the package takes: time, memory, threads. --help tells the options, --list the claims."""
 
-import csv
 import pathlib
 import statistics
 import subprocess
@@ -17,14 +16,11 @@ from meshes import FIGURES, HANDLES  # noqa: E402
 from off_files import write_off  # noqa: E402
 from sizes import measure_factorization, measure_sizes, measure_solvers  # noqa: E402
 
-RIVALS = HERE.parents[1] / "results" / "rivals.csv"
 
 
 def measure_rivals(bench):
     """The pairs of rivals.csv, and what the program takes now: medians of three runs."""
-    with open(RIVALS, encoding="utf-8") as file:
-        pairs = list(csv.DictReader(file))
-    models = [bench.given("models") / pair["model"] for pair in pairs]
+    pairs, models = bench.models("rivals.csv")
     runs = [bench.reports(models, "--effort", "fast", *PUBLISHED, repetition=i) for i in range(3)]
     now = [statistics.median(map(cut_seconds, reports)) for reports in zip(*runs)]
     complete = [statistics.median(map(total_seconds, reports)) for reports in zip(*runs)]

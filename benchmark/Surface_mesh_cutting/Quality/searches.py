@@ -1,17 +1,13 @@
 """What the search for short cuts reaches: how far seeds differ, whether effort `best` contains the smaller ones, and
 cuts of another method at the same bound."""
 
-import csv
 import pathlib
 import statistics
 
 from bench import Measured, total_seconds
 from meshes import CLOSED, FIGURES
 
-HERE = pathlib.Path(__file__).resolve().parent
-OPTCUTS = HERE.parents[1] / "results" / "optcuts.csv"  # lengths of maps without overlaps at BOUND
-MODELS = HERE.parents[1] / "results" / "closed_models.csv"
-BOUND = "4.1"
+BOUND = "4.1"  # that of the lengths in optcuts.csv, too
 LONGEST = 3600  # seconds, for effort `best` on a large surface
 ROUNDING = 1e-9
 FEW = FIGURES[:5]  # small enough for effort `best` in four settings
@@ -45,6 +41,7 @@ def dominates(report, best, bound):
 
 def compare_best(bench, meshes):
     """Effort `best` against the smaller ones from several seeds."""
+    seeds = range(3)
     dominated, shorter, ratios, table = 0, [], [], [["Surface", "bound", "length", "energy", "shorter by", "times"]]
     for bound in "", "4.2", "4.1", "4.05":
         def reports(effort, seed):
@@ -53,10 +50,10 @@ def compare_best(bench, meshes):
                                  time_limit=LONGEST)
 
         best = reports("best", 0)
-        smaller = {(effort, seed): reports(effort, seed) for effort in ("default", "fast") for seed in range(3)}
+        smaller = {(effort, seed): reports(effort, seed) for effort in ("default", "fast") for seed in seeds}
         for i, found in enumerate(best):
             dominated += any(dominates(others[i], found, bound) for others in smaller.values())
-            defaults = [smaller["default", seed][i] for seed in range(3)]
+            defaults = [smaller["default", seed][i] for seed in seeds]
             ratios.append(total_seconds(found) / statistics.fmean(map(total_seconds, defaults)))
             percent = 100 * (1 - found["cut_length"] / defaults[0]["cut_length"])
             if bound:
@@ -73,15 +70,12 @@ def measure_best(bench):
 
 
 def measure_best_on_models(bench):
-    with open(MODELS, encoding="utf-8") as file:
-        return compare_best(bench, [bench.given("models") / row["model"] for row in csv.DictReader(file)])
+    return compare_best(bench, bench.models("closed_models.csv")[1])
 
 
 def measure_optcuts(bench):
     """One run at a time, since times count."""
-    with open(OPTCUTS, encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    models = [bench.given("models") / row["model"] for row in rows]
+    rows, models = bench.models("optcuts.csv")
     reports = bench.reports(models, "--max-distortion", BOUND)
     shorter = [100 * (1 - report["cut_length"] / float(row["length"])) for row, report in zip(rows, reports)]
     table = [["Surface", "triangles", "their length", "our length", "energy", "shorter by", "s"]]
