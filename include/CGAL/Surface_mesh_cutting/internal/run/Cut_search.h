@@ -193,7 +193,7 @@ private:
   template <typename Limited>
   Found refined_best(const std::vector<Found>& found, const Limited& limited, std::vector<Trade_off>& trade_offs) const
   {
-    constexpr int solves_with_bound = 20, solves_without_bound = 4, finalists_with_bound = 2;
+    constexpr int solves_with_bound = 20, solves_without_bound = 12, finalists_with_bound = 2;
     constexpr int more_solves_with_bound = 40, more_solves_without_bound = 6;
     const bool is_bounded = m_parameters.has_bound();
     const int number_of_finalists = (std::min)(is_bounded ? finalists_with_bound : 1, int(found.size()));
@@ -241,7 +241,7 @@ private:
   // for a shorter cut.
   Cutting_parameters exchange_parameters() const
   {
-    constexpr double more_distortion = 2.5, more_per_cost = 1.5; // energies remain about as they were
+    constexpr double more_distortion = 2.5, more_per_cost = 1.15; // more makes many cuts shorter than pays off
     Cutting_parameters parameters = m_parameters;
     parameters.minimum_distortion_decrease *= more_distortion;
     parameters.decrease_per_cost *= more_per_cost;
