@@ -17,7 +17,6 @@ from off_files import write_off  # noqa: E402
 from sizes import measure_factorization, measure_sizes, measure_solvers  # noqa: E402
 
 
-
 def measure_rivals(bench):
     """The pairs of rivals.csv, and what the program takes now: medians of three runs."""
     pairs, models = bench.models("rivals.csv")
