@@ -20,7 +20,7 @@ case $preset in
            targets=(--target unwrap)
            set -- --tests-regex '^unwrap_(usage|reading|limits|unusual)$' ;;
   thread)  targets=(--target unwrap test_feature_points test_steiner_tree_parallel)
-           set -- --tests-regex '^(unwrap_determinism|execution___of__test_(feature_points|steiner_tree_parallel))$' ;;
+           set -- --tests-regex '^(unwrap_determinism|execution[ _]+of[ _]+test_(feature_points|steiner_tree_parallel))$' ;;
   *)       echo "usage: $0 address|program|thread [options of ctest]" >&2; exit 2 ;;
 esac
 
