@@ -3,6 +3,8 @@
 #ifndef UNWRAP_POLYGON_SOUP_H
 #define UNWRAP_POLYGON_SOUP_H
 
+#include "Data_kinds.h"
+
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -42,6 +44,8 @@ struct Polygon_soup
   std::vector<int> corner_normals; // per corner, -1 for none
   Obj_statements obj_statements;
   std::shared_ptr<const Ply_source> ply_source;
+  Data_kinds kinds; // that the file holds, also those that are not kept
+  std::vector<std::string> warnings; // about the file
 
   // Makes a polygon of the corners added since the last call.
   void close_polygon() { polygon_ends.push_back(corners.size()); }

@@ -268,6 +268,14 @@ private:
 
 } // namespace
 
+Data_kinds kinds_in_glb(bool has_own_material)
+{
+  Data_kinds kinds = {Data_kind::NORMALS, Data_kind::COLORS, Data_kind::GROUPS};
+  if(!has_own_material)
+    kinds.insert(Data_kind::MATERIALS);
+  return kinds;
+}
+
 std::string to_glb(const Layout& layout, const std::string& png)
 {
   return Glb_writer(layout, png).run();

@@ -9,4 +9,7 @@
 // material. Vertices are repeated where texture coordinates differ. Numbers have single precision.
 std::string to_glb(const Layout& layout, const std::string& png);
 
+// What that keeps of the input.
+Data_kinds kinds_in_glb(bool has_own_material);
+
 #endif // UNWRAP_GLTF_WRITER_H

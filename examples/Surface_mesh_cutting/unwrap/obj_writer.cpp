@@ -99,6 +99,16 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
   return std::move(out).text();
 }
 
+Data_kinds kinds_in_obj(bool has_own_material)
+{
+  Data_kinds kinds = {Data_kind::NORMALS, Data_kind::COLORS, Data_kind::GROUPS, Data_kind::SMOOTHING_GROUPS,
+                      Data_kind::LINES, Data_kind::POINTS, Data_kind::CURVES_AND_SURFACES, Data_kind::POINT_WEIGHTS,
+                      Data_kind::DISPLAY_SETTINGS, Data_kind::UNKNOWN_STATEMENTS, Data_kind::COMMENTS};
+  if(!has_own_material)
+    kinds.insert({Data_kind::MATERIALS, Data_kind::MATERIAL_FILES});
+  return kinds;
+}
+
 std::string cut_to_obj(const Layout& layout)
 {
   std::vector<int> vertices = layout.feature_points;

@@ -9,6 +9,9 @@
 // defines the material.
 std::string to_obj(const Layout& layout, const std::string& material_file);
 
+// What that keeps of the input.
+Data_kinds kinds_in_obj(bool has_own_material);
+
 // The edges of the cut as lines, and the feature points.
 std::string cut_to_obj(const Layout& layout);
 

@@ -32,7 +32,19 @@ std::string material_file_name(const Output_places& places, const Options& optio
   return places.material ? fs::path(options.output).replace_extension(".mtl").filename().string() : "";
 }
 
+Data_kinds written_kinds(const Options& options, const Layout& layout)
+{
+  const bool has_own_material = !options.texture.empty();
+  return is_glb(options.output) ? kinds_in_glb(has_own_material)
+       : is_ply(options.output) ? kinds_in_ply(layout) : kinds_in_obj(has_own_material);
+}
+
 } // namespace
+
+std::string list_lost_data(const Options& options, const Layout& layout)
+{
+  return list_lost(layout.kinds, written_kinds(options, layout));
+}
 
 void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome)
 {

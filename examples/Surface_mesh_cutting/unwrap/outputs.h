@@ -12,6 +12,9 @@
 // `Exit_code::STOPPED` and leaves no file.
 void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome);
 
+// What of the input's data is not in the mesh that `write_outputs` writes, as words between commas.
+std::string list_lost_data(const Options& options, const Layout& layout);
+
 // Writes the report alone, if it has a place.
 void write_report(const Output_places& places, const Outcome& outcome);
 

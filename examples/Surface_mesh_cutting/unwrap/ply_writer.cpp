@@ -118,6 +118,11 @@ std::string new_file(const Layout& layout, const std::string& image)
 
 } // namespace
 
+Data_kinds kinds_in_ply(const Layout& layout)
+{
+  return layout.ply_source ? layout.kinds : Data_kinds{Data_kind::COLORS};
+}
+
 std::string to_ply(const Layout& layout, const std::string& image)
 {
   return layout.ply_source ? renewed(*layout.ply_source, layout, image) : new_file(layout, image);

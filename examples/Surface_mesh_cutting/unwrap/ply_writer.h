@@ -9,4 +9,7 @@
 // changed, if that is PLY. `image`, if not empty, is the file of the texture.
 std::string to_ply(const Layout& layout, const std::string& image);
 
+// What that keeps of the input.
+Data_kinds kinds_in_ply(const Layout& layout);
+
 #endif // UNWRAP_PLY_WRITER_H

@@ -217,7 +217,7 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
   const UV_map uvs = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   const Constraints constraints = read_constraints(options, soup, surface);
-  outcome.warnings = constraints.warnings;
+  outcome.warnings.insert(outcome.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
   const Result result = run_library(mesh, options, constraints, is_cut, uvs);
   tell(result, surface, surface.is_like_soup(soup), outcome);
   if(!outcome.has_result)

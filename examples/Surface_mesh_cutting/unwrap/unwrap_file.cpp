@@ -33,9 +33,14 @@ bool is_welded(const Polygon_soup& soup, const std::string& weld)
 void unwrap_file(const Options& options, Output_places& places, Outcome& outcome)
 {
   decide_places(options, places);
-  const Layout layout = unwrap_soup(read_mesh_file(options.input, wanted_attributes(options)), options, outcome);
-  if(outcome.has_result)
-    write_outputs(options, places, layout, outcome);
+  const Polygon_soup soup = read_mesh_file(options.input, wanted_attributes(options));
+  outcome.warnings = soup.warnings;
+  const Layout layout = unwrap_soup(soup, options, outcome);
+  if(!outcome.has_result)
+    return;
+  if(const std::string lost = list_lost_data(options, layout); !lost.empty())
+    outcome.warnings.push_back("these data of the input are not in " + options.output + ": " + lost);
+  write_outputs(options, places, layout, outcome);
 }
 
 } // namespace

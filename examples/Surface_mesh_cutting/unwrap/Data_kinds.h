@@ -1,0 +1,37 @@
+// What mesh files hold besides points, polygons, and the texture coordinates that a run replaces.
+
+#ifndef UNWRAP_DATA_KINDS_H
+#define UNWRAP_DATA_KINDS_H
+
+#include <set>
+#include <string>
+
+// In the order in which a warning lists them. A kind that only files of one format have needs no writer but that format's.
+enum class Data_kind
+{
+  NORMALS,
+  COLORS,       // of points
+  FACE_COLORS,
+  TRANSPARENCY, // of colors
+  MATERIALS,
+  MATERIAL_FILES,
+  GROUPS, // and objects
+  SMOOTHING_GROUPS,
+  LINES,
+  POINTS, // drawn as such
+  CURVES_AND_SURFACES,
+  POINT_WEIGHTS, // of rational curves and surfaces
+  DISPLAY_SETTINGS,
+  UNKNOWN_STATEMENTS,
+  OTHER_PROPERTIES, // of points and polygons, and elements of other kinds
+  OTHER_UV_SETS,
+  COMMENTS
+};
+
+// Readers list what they met, writers what they write.
+using Data_kinds = std::set<Data_kind>;
+
+// The kinds that are in `met` but not in `written`, as words between commas; empty if there are none.
+std::string list_lost(const Data_kinds& met, const Data_kinds& written);
+
+#endif // UNWRAP_DATA_KINDS_H
