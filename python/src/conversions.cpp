@@ -126,7 +126,7 @@ py::list to_list(const std::vector<SMC::Interpretation>& interpreted)
   return result;
 }
 
-py::dict to_dict(const SMC::Phase_times& times)
+py::dict to_dict(const SMC::Phase_times& times, double packing)
 {
   py::dict result;
   result["candidates"] = times.candidates;
@@ -134,6 +134,7 @@ py::dict to_dict(const SMC::Phase_times& times)
   result["connect"] = times.connect;
   result["refine"] = times.refine;
   result["parameterize"] = times.parameterize;
+  result["packing"] = packing;
   result["total"] = times.total;
   return result;
 }

@@ -74,7 +74,8 @@ py::array_t<std::int64_t> to_array(const std::vector<std::size_t>& indices);
 py::array_t<std::int64_t> to_array(const std::vector<Edge>& edges);
 
 py::dict to_dict(const Finding& finding);
-py::dict to_dict(const SMC::Phase_times& times);
+// `packing` is the time of a phase that the library counts in the total only.
+py::dict to_dict(const SMC::Phase_times& times, double packing);
 py::list to_list(const std::vector<Finding>& findings);
 py::list to_list(const std::vector<SMC::Interpretation>& interpreted);
 py::array_t<double> to_array(const std::vector<SMC::Trade_off>& trade_offs); // one row each

@@ -68,6 +68,7 @@ struct Cut_surface
   int number_of_charts = 0;
   double uv_scale = 1;         // length of an edge in the map over that on the surface
   std::optional<double> fill;  // area of the charts in the unit square, if they are packed there
+  double packing_seconds = 0, packing_cpu_seconds = 0;
 };
 
 // Charts are packed if there are `packing` options.

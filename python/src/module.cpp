@@ -95,8 +95,8 @@ py::dict describe(Cut_surface surface)
   result["lower_bound"] = found.lower_bound ? py::object(py::float_(*found.lower_bound)) : py::none();
   result["is_optimal"] = found.is_optimal ? py::object(py::bool_(*found.is_optimal)) : py::none();
   result["trade_offs"] = to_array(found.trade_offs);
-  result["seconds"] = to_dict(found.seconds);
-  result["cpu_seconds"] = to_dict(found.cpu_seconds);
+  result["seconds"] = to_dict(found.seconds, surface.packing_seconds);
+  result["cpu_seconds"] = to_dict(found.cpu_seconds, surface.packing_cpu_seconds);
   result["average_distortion"] = found.average_distortion;
   result["largest_face_distortion"] = found.largest_face_distortion;
   result["number_of_charts"] = surface.number_of_charts;
@@ -263,6 +263,7 @@ py::dict connect_terminals(const Call& call)
 PYBIND11_MODULE(_extension, module)
 {
   module.doc() = "What the functions of surface_mesh_cutting call. Each takes a dict of checked arguments.";
+  module.attr("__version__") = SURFACE_MESH_CUTTING_VERSION;
   module.def("cut", &cut);
   module.def("connect", &connect);
   module.def("find_handles", &find_handles);

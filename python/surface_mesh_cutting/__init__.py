@@ -11,6 +11,7 @@
 (4, 3, 2)
 """
 
+from ._extension import __version__
 from .charts import certify_unwrap, pack_charts
 from .connecting import connect_points, cut_handles
 from .cutting import detect_feature_points, greedy_cut, unwrap
@@ -24,4 +25,4 @@ __all__ = ["Certificate", "ComputationError", "ConnectionOptions", "ConnectionRe
            "CuttingOptions", "Error", "FeatureResult", "Finding", "HandlesResult", "InputError", "Interpretation",
            "PackingResult", "Result", "RunOptions", "SteinerTree", "StoppedError", "SurfaceOptions", "SurfaceResult",
            "UnwrapResult", "certify_unwrap", "connect_points", "cut_handles", "detect_feature_points", "greedy_cut",
-           "pack_charts", "steiner_tree", "unwrap"]
+           "pack_charts", "steiner_tree", "unwrap", "__version__"]

@@ -12,8 +12,14 @@ import numpy as np
 _PAIR = 2
 
 
+def _refuse_masks(name: str, value: Any) -> None:
+    if np.ma.is_masked(value):
+        raise TypeError(f"{name} has masked entries: remove or fill them")
+
+
 def numbers(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
     """`value` as an array of `float64`."""
+    _refuse_masks(name, value)
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} must be an array of real numbers, not of {array.dtype}")
@@ -22,6 +28,7 @@ def numbers(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
 
 def indices(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.int64]]:
     """`value` as an array of `int64`."""
+    _refuse_masks(name, value)
     array = np.asarray(value)
     if array.dtype.kind not in "iu" and array.size > 0:
         raise TypeError(f"{name} must be an array of integers, not of {array.dtype}")
@@ -62,9 +69,11 @@ def polygons(faces: Any, offsets: Any) -> tuple[np.ndarray[Any, Any], np.ndarray
         if corners.size == 0 and corners.ndim == 1:
             corners = corners.reshape(0, 3)
         if corners.ndim != 2:
-            _refuse_shape("faces", "(m, k), or (c,) with offsets,", corners)
+            _refuse_shape("faces", "(m, k), or (c,) with offsets", corners)
         number, size = corners.shape
         return corners, np.arange(number + 1, dtype=np.int64) * size, corners.shape
+    if np.ndim(offsets) == 0:
+        raise TypeError(f"offsets must be an array, not {offsets!r}: give options by name, as in time_limit=10")
     vector("faces", corners)
     ends = vector("offsets", indices("offsets", offsets))
     if ends.size == 0 or ends[0] != 0 or ends[-1] != corners.size or np.any(ends[1:] < ends[:-1]):

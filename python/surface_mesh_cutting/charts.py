@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, Optional, cast
 
 from . import _arrays, _extension
 from .errors import error_of, to_finding
-from .options import EFFORTS, INT_MAX, SurfaceOptions, choice, flag, integer, read, real
+from .options import EFFORTS, INT_MAX, SurfaceOptions, choice, flag, integer, read, real, takes
 from .results import Certificate, PackingResult, make
 
 if TYPE_CHECKING:
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
+@takes(SurfaceOptions)
 def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offsets: Optional[ArrayLike] = None, *,
                 margin: float = 2, texture_size: int = 1024, bijective: bool = True,
                 effort: Literal["fast", "default", "best"] = "default",
@@ -23,7 +24,7 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     """Move charts into the unit square: turn and translate each one, and scale all by the same factor.
 
     The surface is cut where the UVs of neighbors differ. All triangles must be counterclockwise. Ctrl-C is handled as by
-    `unwrap`.
+    `unwrap`; `progress` is not called.
 
     Parameters
     ----------
@@ -37,8 +38,6 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
         Whether no chart may overlap itself, either.
     effort : {"fast", "default", "best"}
         How long to look for a larger scale: "fast" a tenth as long as "default", "best" four times as long.
-    **options
-        See `SurfaceOptions` and `RunOptions`; `progress` is not called.
 
     Returns
     -------
@@ -55,7 +54,7 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     """
     call, shape = _arrays.surface(points, faces, offsets)
     call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
-    call.update(read("pack_charts", SurfaceOptions, options), bijective=flag("bijective", bijective),
+    call.update(read(pack_charts, SurfaceOptions, options), bijective=flag("bijective", bijective),
                 margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size),
                 effort=choice(*EFFORTS)("effort", effort))
     found = _extension.pack_charts(call)
@@ -64,10 +63,11 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     return cast(PackingResult, make(PackingResult, found))
 
 
+@takes(SurfaceOptions)
 def certify_unwrap(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offsets: Optional[ArrayLike] = None, *,
                    bijective: bool = True, **options: Unpack[SurfaceOptions]) -> Certificate:
     """Prove that a surface is unwrapped: cut where the UVs of neighbors differ, it consists of disks, and the map takes each
-    triangle to a strictly counterclockwise one. All decisions are exact.
+    triangle to a strictly counterclockwise one. All decisions are exact. The proof takes one thread and cannot be stopped.
 
     Parameters
     ----------
@@ -77,8 +77,6 @@ def certify_unwrap(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, of
         The UV of each corner.
     bijective : bool
         Whether to prove, too, that no two triangles overlap.
-    **options
-        See `SurfaceOptions`; the proof takes one thread and cannot be stopped.
 
     Returns
     -------
@@ -94,7 +92,7 @@ def certify_unwrap(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, of
     """
     call, shape = _arrays.surface(points, faces, offsets)
     call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
-    call.update(read("certify_unwrap", SurfaceOptions, options), bijective=flag("bijective", bijective))
+    call.update(read(certify_unwrap, SurfaceOptions, options), bijective=flag("bijective", bijective))
     found = _extension.certify(call)
     if found["was_interrupted"]:
         raise KeyboardInterrupt

@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Optional, cast
 
 from . import _arrays, _extension
-from .options import ConnectionOptions, ConstraintOptions, read
+from .options import ConnectionOptions, ConstraintOptions, read, takes
 from .results import ConnectionResult, HandlesResult, make
 
 if TYPE_CHECKING:
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
+@takes(ConnectionOptions)
 def connect_points(points: ArrayLike, faces: ArrayLike, terminals: ArrayLike, offsets: Optional[ArrayLike] = None,
                    **options: Unpack[ConnectionOptions]) -> ConnectionResult:
     """Connect points of a surface by a short cut that leaves only disks.
@@ -28,8 +29,6 @@ def connect_points(points: ArrayLike, faces: ArrayLike, terminals: ArrayLike, of
         The surface, as for `unwrap`.
     terminals : array_like of int, shape (k,)
         The points to connect: at least two on each closed component of genus 0.
-    **options
-        See `ConnectionOptions` and the classes that it extends.
 
     Returns
     -------
@@ -42,10 +41,11 @@ def connect_points(points: ArrayLike, faces: ArrayLike, terminals: ArrayLike, of
     """
     call, _ = _arrays.surface(points, faces, offsets)
     call["terminals"] = _arrays.vector("terminals", _arrays.indices("terminals", terminals))
-    call.update(read("connect_points", ConnectionOptions, options))
+    call.update(read(connect_points, ConnectionOptions, options))
     return cast(ConnectionResult, make(ConnectionResult, _extension.connect(call)))
 
 
+@takes(ConstraintOptions)
 def cut_handles(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = None,
                 **options: Unpack[ConstraintOptions]) -> HandlesResult:
     """Find short loops that cut the handles of a surface: opened along them, each component stays connected and has genus 0.
@@ -56,8 +56,6 @@ def cut_handles(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike
     ----------
     points, faces, offsets
         The surface, as for `unwrap`.
-    **options
-        See `ConstraintOptions` and the classes that it extends.
 
     Returns
     -------
@@ -69,6 +67,6 @@ def cut_handles(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike
         As `unwrap` does.
     """
     call, _ = _arrays.surface(points, faces, offsets)
-    call.update(read("cut_handles", ConstraintOptions, options))
+    call.update(read(cut_handles, ConstraintOptions, options))
     found = _extension.find_handles(call)
     return cast(HandlesResult, make(HandlesResult, found, loops=tuple(found["loops"])))

@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, Optional, cast
 
 from . import _arrays, _extension
-from .options import INT_MAX, CuttingOptions, choice, flag, integer, read, real
+from .options import INT_MAX, CuttingOptions, choice, flag, integer, read, real, takes
 from .results import CutResult, FeatureResult, UnwrapResult, make
 
 if TYPE_CHECKING:
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
+@takes(CuttingOptions)
 def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = None, *, bijective: bool = True,
            uv_scale: Literal["unit", "surface"] = "unit", margin: float = 2, texture_size: int = 1024,
            **options: Unpack[CuttingOptions]) -> UnwrapResult:
@@ -45,9 +46,6 @@ def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = N
         The least distance of charts from each other and from the border of the square, in texels.
     texture_size : int
         The number of texels along a side of the square.
-    **options
-        See `CuttingOptions` and the classes that it extends: `ConnectionOptions`, `ConstraintOptions`,
-        `SurfaceOptions` and `RunOptions`.
 
     Returns
     -------
@@ -69,7 +67,7 @@ def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = N
     Solving sparse linear systems dominates the time: for n points, each takes O(n^1.5) on usual meshes.
     """
     call, shape = _arrays.surface(points, faces, offsets)
-    call.update(read("unwrap", CuttingOptions, options), output="map")
+    call.update(read(unwrap, CuttingOptions, options), output="map")
     call["bijective"] = flag("bijective", bijective) and not call.get("faithful", False)
     if choice("unit", "surface")("uv_scale", uv_scale) == "unit":
         call.update(margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size))
@@ -78,6 +76,7 @@ def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = N
                                    if found["has_result"] else None))
 
 
+@takes(CuttingOptions)
 def greedy_cut(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = None,
                **options: Unpack[CuttingOptions]) -> CutResult:
     """Find a short cut that leaves only disks, which flatten with low isometric distortion.
@@ -89,10 +88,11 @@ def greedy_cut(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike]
     CutResult
     """
     call, _ = _arrays.surface(points, faces, offsets)
-    call.update(read("greedy_cut", CuttingOptions, options), output="cut")
+    call.update(read(greedy_cut, CuttingOptions, options), output="cut")
     return cast(CutResult, make(CutResult, _cut(call)))
 
 
+@takes(CuttingOptions)
 def detect_feature_points(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = None,
                           **options: Unpack[CuttingOptions]) -> FeatureResult:
     """Find the points that a cut must reach so that the surface flattens with low isometric distortion.
@@ -104,7 +104,7 @@ def detect_feature_points(points: ArrayLike, faces: ArrayLike, offsets: Optional
     FeatureResult
     """
     call, _ = _arrays.surface(points, faces, offsets)
-    call.update(read("detect_feature_points", CuttingOptions, options), output="features")
+    call.update(read(detect_feature_points, CuttingOptions, options), output="features")
     found = _cut(call)
     found["has_result"] = found["finding"]["status"] == "ok"
     return cast(FeatureResult, make(FeatureResult, found))

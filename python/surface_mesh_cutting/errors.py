@@ -55,6 +55,10 @@ class Error(RuntimeError):
         self.kind = finding.kind
         self.elements = finding.elements
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Other processes get the finding, from which the exception is made anew, and what else it carries."""
+        return type(self), (Finding(self.status, str(self), self.kind, self.elements),), self.__dict__
+
 
 class InputError(Error, ValueError):
     """The mesh or what is asked of it cannot be served: ``"empty_mesh"``, ``"not_triangulated"``, ``"non_manifold"``,

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _arrays, _extension
 from .errors import Finding, InputError
-from .options import INT_MAX, RunOptions, choice, integer, read, real
+from .options import INT_MAX, RunOptions, choice, integer, read, real, takes
 from .results import SteinerTree, make
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 METHODS = ("best", "exact", "local_search", "greedy", "shortest_path_heuristic", "metric_closure")
 
 
+@takes(RunOptions)
 def steiner_tree(edges: ArrayLike, weights: ArrayLike, terminals: ArrayLike, *, number_of_vertices: Optional[int] = None,
                  method: Literal["best", "exact", "local_search", "greedy", "shortest_path_heuristic",
                                  "metric_closure"] = "best",
@@ -27,7 +28,8 @@ def steiner_tree(edges: ArrayLike, weights: ArrayLike, terminals: ArrayLike, *, 
                  **options: Unpack[RunOptions]) -> SteinerTree:
     """Find a short or shortest tree in an undirected graph that connects some of its vertices.
 
-    The tree has no cycle, and all its leaves are terminals. Ctrl-C ends the run with the best tree so far.
+    The tree has no cycle, and all its leaves are terminals. Ctrl-C ends the run with the best tree so far;
+    `progress` is not called.
 
     Parameters
     ----------
@@ -46,8 +48,6 @@ def steiner_tree(edges: ArrayLike, weights: ArrayLike, terminals: ArrayLike, *, 
         What makes an auxiliary point worth adding, for ``"greedy"`` only.
     maximum_number_of_states : int
         The budget of the exact search, of about 50 bytes each.
-    **options
-        See `RunOptions`; `progress` is not called.
 
     Returns
     -------
@@ -76,7 +76,7 @@ def steiner_tree(edges: ArrayLike, weights: ArrayLike, terminals: ArrayLike, *, 
             "method": choice(*METHODS)("method", method),
             "minimum_length_decrease": real("minimum_length_decrease", minimum_length_decrease),
             "maximum_number_of_states": integer(0, 2**63 - 1)("maximum_number_of_states", maximum_number_of_states),
-            **read("steiner_tree", RunOptions, options)}
+            **read(steiner_tree, RunOptions, options)}
     return cast(SteinerTree, make(SteinerTree, _extension.connect_terminals(call)))
 
 

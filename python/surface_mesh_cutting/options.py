@@ -4,8 +4,10 @@
 
 from __future__ import annotations
 
+import difflib
+import inspect
 import operator
-from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping, Optional, Tuple, TypedDict
+from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping, Optional, Tuple, TypedDict, TypeVar, Union
 
 import numpy as np
 
@@ -43,15 +45,15 @@ class SurfaceOptions(RunOptions, total=False):
 
     Parameters
     ----------
-    weld : {"auto", "on", "off"}
+    weld : {"auto", "on", "off"} or bool
         Whether points at exactly the same place count as one; by default where (nearly) no two faces share a point:
-        at most one corner in a hundred.
+        at most one corner in a hundred. `True` is "on", `False` is "off".
     strict : bool
         Whether to refuse what is otherwise interpreted: polygons, places that are not manifold, inconsistent
         orientation, degenerate and duplicate faces. Points are then not welded. Default: `False`.
     """
 
-    weld: Literal["auto", "on", "off"]
+    weld: Union[Literal["auto", "on", "off"], bool]
     strict: bool
 
 
@@ -136,6 +138,26 @@ class CuttingOptions(ConnectionOptions, total=False):
     seed: int
 
 
+# Each class extends the one before it, which a TypedDict does not tell.
+_KINDS = (RunOptions, SurfaceOptions, ConstraintOptions, ConnectionOptions, CuttingOptions)
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def takes(kind: type) -> Callable[[Function], Function]:
+    """A decorator of functions with `**options`: their docstrings tell the options of `kind`, too."""
+
+    def document(function: Function) -> Function:
+        if function.__doc__:  # there is none with python -OO
+            kinds = _KINDS[_KINDS.index(kind)::-1]
+            parameters = "\n".join(inspect.cleandoc(each.__doc__ or "").split("----------\n")[1] for each in kinds)
+            summary, returned, rest = inspect.cleandoc(function.__doc__).partition("\nReturns\n")
+            function.__doc__ = f"{summary}\nOther Parameters\n----------------\n{parameters}\n{returned}{rest}"
+        return function
+
+    return document
+
+
 def choice(*names: str) -> Callable[[str, Any], str]:
     def read(name: str, value: Any) -> str:
         if not isinstance(value, str):
@@ -182,7 +204,18 @@ def seconds(name: str, value: Any) -> float:
 def _callback(name: str, value: Any) -> Callable[[str, float], Any]:
     if not callable(value):
         raise TypeError(f"{name} must be callable, not {type(value).__name__}")
-    return value
+
+    def call(phase: str, fraction: float) -> Any:
+        answer = value(phase, fraction)
+        return bool(answer) if isinstance(answer, np.bool_) else answer
+
+    return call
+
+
+def _weld(name: str, value: Any) -> str:
+    if isinstance(value, (bool, np.bool_)):
+        return "on" if value else "off"
+    return choice("auto", "on", "off")(name, value)
 
 
 def _terminals(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.int64]]:
@@ -192,7 +225,7 @@ def _terminals(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.int64]]:
 INT_MAX = 2**31 - 1
 _READERS: dict[str, Callable[[str, Any], Any]] = {
     "threads": integer(1, 4096), "time_limit": seconds, "progress": _callback,
-    "weld": choice("auto", "on", "off"), "strict": flag,
+    "weld": _weld, "strict": flag,
     "mandatory_edges": _arrays.edges, "forbidden_edges": _arrays.edges, "initial_cut": _arrays.edges,
     "terminals": _terminals,
     "connection": choice(*CONNECTIONS), "maximum_number_of_states": integer(0, 2**63 - 1),
@@ -210,12 +243,35 @@ def _read_weights(name: str, value: Any) -> dict[str, Any]:
     return {"weighted_edges": pairs, "edge_weights": _arrays.vector(name, _arrays.numbers(name, weights), len(pairs))}
 
 
-def read(function: str, kind: type, options: Mapping[str, Any]) -> dict[str, Any]:
+# Names that the program, the C++ functions or usage elsewhere have for options.
+OTHER_NAMES = {
+    "max_distortion": "maximum_average_distortion", "bound": "maximum_average_distortion",
+    "must_cut": "mandatory_edges", "edge_is_constrained_map": "mandatory_edges",
+    "never_cut": "forbidden_edges", "edge_is_forbidden_map": "forbidden_edges",
+    "edge_weight_map": "edge_weights", "weights": "edge_weights",
+    "initial_cut_map": "initial_cut", "seams": "initial_cut",
+    "vertex_is_constrained_map": "terminals",
+    "allow_overlap": "bijective", "do_bijective": "bijective",
+    "use_published_method": "faithful", "connect": "connection",
+    "eps_iso": "minimum_distortion_decrease", "eps_len": "minimum_length_decrease",
+    "alpha": "minimum_area_ratio", "beta": "influence_threshold",
+    "random_seed": "seed", "visitor": "progress", "scale": "uv_scale"}
+
+
+def _suggestion(name: str, function: Callable[..., Any], kind: type) -> str:
+    known = [*kind.__annotations__, *inspect.signature(function).parameters]
+    known.remove("options")
+    near = [OTHER_NAMES[name]] if name in OTHER_NAMES else difflib.get_close_matches(name, known, 1)
+    return f"; did you mean {near[0]!r}?" if near and near[0] in known else ""
+
+
+def read(function: Callable[..., Any], kind: type, options: Mapping[str, Any]) -> dict[str, Any]:
     """The options of a call, checked and as the extension takes them; `kind` is the class that lists them."""
     result: dict[str, Any] = {}
     for name, value in options.items():
         if name not in kind.__annotations__:
-            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
+            raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}"
+                            + _suggestion(name, function, kind))
         if value is None:
             continue
         if name == "edge_weights":

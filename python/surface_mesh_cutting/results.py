@@ -89,7 +89,7 @@ class FeatureResult(SurfaceResult):
         In units of the mesh.
     seconds, cpu_seconds : dict of str to float
         Wall time, and processor time of all threads, in ``"candidates"``, ``"filter"``, ``"connect"``, ``"refine"``,
-        ``"parameterize"``, and in ``"total"``.
+        ``"parameterize"``, ``"packing"``, and in ``"total"``.
     """
 
     components: int

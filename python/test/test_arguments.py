@@ -41,7 +41,7 @@ def test_shapes_of_faces():
 
 
 @pytest.mark.parametrize("options, error", [
-    (dict(effort="most"), ValueError), (dict(effort=1), TypeError), (dict(weld=True), TypeError),
+    (dict(effort="most"), ValueError), (dict(effort=1), TypeError), (dict(weld=1), TypeError),
     (dict(uv_scale="large"), ValueError), (dict(strict=1), TypeError), (dict(bijective="yes"), TypeError),
     (dict(threads=0), ValueError), (dict(threads=1.5), TypeError), (dict(seed=-1), ValueError),
     (dict(seed=2**32), ValueError), (dict(time_limit=0), ValueError), (dict(time_limit=float("nan")), ValueError),
@@ -55,6 +55,46 @@ def test_options(options, error):
     with pytest.raises(error, match=next(iter(options))) as caught:
         smc.unwrap(POINTS, FACES, **options)
     assert not isinstance(caught.value, smc.Error)
+
+
+@pytest.mark.parametrize("function, name, suggestion", [
+    (smc.unwrap, "max_distortion", "maximum_average_distortion"), (smc.unwrap, "must_cut", "mandatory_edges"),
+    (smc.unwrap, "allow_overlap", "bijective"), (smc.unwrap, "efort", "effort"), (smc.unwrap, "texturesize", "texture_size"),
+    (smc.greedy_cut, "forbidden_edge", "forbidden_edges"), (smc.cut_handles, "never_cut", "forbidden_edges"),
+    (smc.pack_charts, "margins", "margin")])
+def test_near_misses(function, name, suggestion):
+    with pytest.raises(TypeError) as caught:
+        function(*([POINTS, FACES, POINTS[FACES][..., :2]][:3 if function is smc.pack_charts else 2]), **{name: 1})
+    assert str(caught.value).endswith(f"argument {name!r}; did you mean {suggestion!r}?")
+
+
+def test_misses_that_are_not_near():
+    """No option is suggested that the function does not have."""
+    for name in ("max_distortion", "zebra"):
+        with pytest.raises(TypeError, match="argument '[a-z_]+'$"):
+            smc.cut_handles(POINTS, FACES, **{name: 1})
+
+
+@pytest.mark.parametrize("value", [4.1, "fast", True, np.float64(4.1)])
+def test_options_without_a_name(value):
+    with pytest.raises(TypeError, match="offsets must be an array.*by name"):
+        smc.unwrap(POINTS, FACES, value)
+
+
+def test_masked_arrays():
+    mask = np.zeros(POINTS.shape, bool)
+    assert smc.greedy_cut(np.ma.array(POINTS, mask=mask), FACES).status == "ok"
+    mask[3, 1] = True
+    with pytest.raises(TypeError, match="points has masked entries"):
+        smc.greedy_cut(np.ma.array(POINTS, mask=mask), FACES)
+    with pytest.raises(TypeError, match="faces has masked entries"):
+        smc.greedy_cut(POINTS, np.ma.masked_equal(FACES, 3))
+
+
+def test_weld_is_on_or_off():
+    soup, alone = POINTS[FACES].reshape(-1, 3), np.arange(FACES.size).reshape(FACES.shape)
+    assert smc.greedy_cut(soup, alone, weld=True).components == 1
+    assert smc.greedy_cut(soup, alone, weld=np.False_).components == len(FACES)
 
 
 def refused(*arguments, **options):

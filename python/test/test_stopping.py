@@ -61,6 +61,11 @@ def test_progress_that_ends_the_run():
     assert time.monotonic() - start < SLACK
 
 
+def test_progress_that_returns_a_number_of_numpy():
+    with pytest.raises(smc.StoppedError):
+        long_run(progress=lambda phase, fraction: np.float64(fraction) < 0)
+
+
 def test_lock_is_released():
     counted, is_done = [0], threading.Event()
 

@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+import time
 
 import numpy as np
 import pytest
@@ -189,6 +190,18 @@ def test_bound_not_reached():
     assert smc.certify_unwrap(points, faces, result.corner_uv)
 
 
+def test_seconds_of_packing():
+    """Most of the time of many charts."""
+    points, faces = meshes.sphere(2)
+    alone = np.arange(faces.size).reshape(faces.shape)
+    start = time.monotonic()
+    result = smc.unwrap(points[faces].reshape(-1, 3), alone, weld="off", effort="fast")
+    elapsed = time.monotonic() - start
+    assert result.number_of_charts == len(faces)
+    assert elapsed / 2 < result.seconds["packing"] <= result.seconds["total"] <= elapsed
+    assert smc.unwrap(points, faces, uv_scale="surface").seconds["packing"] == 0
+
+
 def test_features_and_cut():
     points, faces = meshes.sphere(3)
     cut = smc.greedy_cut(points, faces)
@@ -198,5 +211,5 @@ def test_features_and_cut():
     connected = smc.connect_points(points, faces, features.feature_points)
     assert set(features.feature_points.tolist()) <= set(connected.cut_edges.ravel().tolist())
     assert set(cut.feature_points.tolist()) <= set(cut.cut_edges.ravel().tolist())
-    assert set(features.seconds) == {"candidates", "filter", "connect", "refine", "parameterize", "total"}
+    assert set(features.seconds) == {"candidates", "filter", "connect", "refine", "parameterize", "packing", "total"}
     assert np.array_equal(cut.cut_edges, np.unique(np.sort(cut.cut_edges, axis=1), axis=0))
