@@ -4,6 +4,14 @@
 include(CMakePackageConfigHelpers)
 set(package_dir lib/cmake/Surface_mesh_cutting)
 
+if(SURFACE_MESH_CUTTING_WITH_LIBRARY)
+  install(CODE "
+    if(NOT EXISTS \"$<TARGET_FILE:Surface_mesh_cutting_library>\")
+      message(FATAL_ERROR \"Nothing is installed before the library is built:\\n\"
+        \"  cmake --build ${PROJECT_BINARY_DIR} --target Surface_mesh_cutting_library\\n\"
+        \"The CMake option -DSURFACE_MESH_CUTTING_WITH_LIBRARY=OFF leaves the headers alone.\")
+    endif()")
+endif()
 install(DIRECTORY include/CGAL DESTINATION include/surface_mesh_cutting)
 install(TARGETS Surface_mesh_cutting EXPORT Surface_mesh_cuttingTargets)
 install(EXPORT Surface_mesh_cuttingTargets
