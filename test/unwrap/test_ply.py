@@ -202,7 +202,7 @@ class Kept(Case):
         self.assertEqual(without_texture(out), without_texture(ply))
 
     def test_looks_in_other_formats(self):
-        """Normals and colors of vertices from PLY to OBJ; colors from OBJ to PLY."""
+        """Normals and colors of vertices from PLY to OBJ and back."""
         names = ["x", "y", "z", "nx", "ny", "nz"]
         properties = [(name, "float", None) for name in names] + [(c, "uchar", None) for c in ("red", "green", "blue")]
         rows = [[*point, *point, 51 * (i % 6), 0, 255] for i, point in enumerate(POINTS)]
@@ -218,7 +218,7 @@ class Kept(Case):
         self.assertEqual(normals, FACES)
         self.report("out.obj", "-o", "out.ply")
         rows = Ply.from_bytes((self.folder / "out.ply").read_bytes()).elements["vertex"][1]
-        self.assertEqual([row[3:] for row in rows], [[51 * (i % 6), 0, 255] for i in range(len(POINTS))])
+        self.assertEqual([row[3:] for row in rows], [[*point, 51 * (i % 6), 0, 255] for i, point in enumerate(POINTS)])
 
     def test_from_obj(self):
         self.write("in.obj", to_obj(SPHERE))

@@ -12,6 +12,7 @@ std::string name_of(Data_kind kind)
     case Data_kind::TRANSPARENCY: return "transparency of colors";
     case Data_kind::MATERIALS: return "materials";
     case Data_kind::MATERIAL_FILES: return "names of material files";
+    case Data_kind::IMAGES: return "images of textures";
     case Data_kind::GROUPS: return "groups and objects";
     case Data_kind::SMOOTHING_GROUPS: return "smoothing groups";
     case Data_kind::LINES: return "lines";

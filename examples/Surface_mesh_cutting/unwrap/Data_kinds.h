@@ -15,6 +15,7 @@ enum class Data_kind
   TRANSPARENCY, // of colors
   MATERIALS,
   MATERIAL_FILES,
+  IMAGES, // of textures
   GROUPS, // and objects
   SMOOTHING_GROUPS,
   LINES,

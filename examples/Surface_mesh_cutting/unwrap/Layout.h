@@ -24,6 +24,7 @@ struct Layout
 
   // What the file says besides, see `Polygon_soup`.
   std::vector<std::array<double, 3> > colors; // valid ones
+  std::vector<std::array<double, 3> > face_colors;
   std::vector<std::array<double, 3> > normals;
   std::vector<int> corner_normals;
   Obj_statements obj_statements;

@@ -60,6 +60,30 @@ bool is_unmarked_comment(std::string_view keyword, const Ply_header& header)
          && keyword != "end_header";
 }
 
+void read_comment(std::string_view keyword, Text_scanner& scanner, Ply_header& header)
+{
+  Text_scanner words = scanner;
+  if(keyword == "comment" && words.word_in_line() == Ply_header::image_comment)
+  {
+    header.image_lines.push_back(finish_line(keyword, scanner));
+    return;
+  }
+  header.comments.push_back(scanner.rest_of_line());
+  scanner.skip_line();
+}
+
+Data_kind kind_of(std::string_view property, bool is_of_points)
+{
+  static const std::vector<std::string_view> normals = {"nx", "ny", "nz"};
+  static const std::vector<std::string_view> colors
+    = {"red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"};
+  const auto is_in = [&](const std::vector<std::string_view>& names)
+  { return std::find(names.begin(), names.end(), property) != names.end(); };
+  return is_in(colors) ? (is_of_points ? Data_kind::COLORS : Data_kind::FACE_COLORS)
+       : property == "alpha" ? Data_kind::TRANSPARENCY
+       : is_of_points && is_in(normals) ? Data_kind::NORMALS : Data_kind::OTHER_PROPERTIES;
+}
+
 } // namespace
 
 std::vector<int> Ply_header::Element::find_point_uv() const
@@ -84,6 +108,23 @@ std::size_t Ply_header::number_of_elements() const
   for(const Element& element : elements)
     number += std::size_t(element.number);
   return number;
+}
+
+Data_kinds Ply_header::kinds() const
+{
+  Data_kinds result;
+  if(!comments.empty())
+    result.insert(Data_kind::COMMENTS);
+  if(!image_lines.empty())
+    result.insert(Data_kind::IMAGES);
+  static const std::vector<std::string_view> read_otherwise
+    = {"x", "y", "z", "s", "t", "u", "v", "texture_u", "texture_v", "vertex_indices", "vertex_index", "texcoord"};
+  for(const Element& element : elements)
+    for(const Property& property : element.properties)
+      if(element.number > 0
+         && std::find(read_otherwise.begin(), read_otherwise.end(), property.name) == read_otherwise.end())
+        result.insert(kind_of(property.name, element.has_points()));
+  return result;
 }
 
 Ply_header read_ply_header(Text_scanner& scanner)
@@ -117,10 +158,8 @@ Ply_header read_ply_header(Text_scanner& scanner)
       scanner.skip_line();
       return header;
     }
-    else if(keyword == "comment" && scanner.word_in_line() == Ply_header::image_comment)
-      header.image_lines.push_back(finish_line(keyword, scanner));
     else if(keyword == "comment" || keyword == "obj_info" || is_unmarked_comment(keyword, header))
-      scanner.skip_line();
+      read_comment(keyword, scanner, header);
     else
       scanner.fail("a line of a PLY header", keyword);
   }

@@ -3,6 +3,7 @@
 #ifndef UNWRAP_PLY_HEADER_H
 #define UNWRAP_PLY_HEADER_H
 
+#include "Data_kinds.h"
 #include "Text_scanner.h"
 
 #include <string>
@@ -42,8 +43,11 @@ struct Ply_header
   std::vector<Element> elements;
   std::string_view format_line;
   std::vector<std::string_view> image_lines; // comments that name the file of a texture
+  std::vector<std::string_view> comments;    // the text of all others
 
   std::size_t number_of_elements() const;
+  // What the file holds besides points, polygons and texture coordinates.
+  Data_kinds kinds() const;
 
   // The line that names the file of a texture begins so.
   static constexpr std::string_view image_comment = "TextureFile";

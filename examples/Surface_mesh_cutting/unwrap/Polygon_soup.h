@@ -20,11 +20,11 @@ struct Obj_statements
 {
   struct Line
   {
-    int polygon; // before which it stands
+    int polygon; // before which it stands; -1 before all points
     std::string text;
   };
 
-  std::vector<Line> lines; // of groups, objects, smoothing and materials
+  std::vector<Line> lines; // all that bring neither a point nor a polygon, and comments
   std::vector<std::string> point_ends; // per point, what follows the coordinates; empty if nothing does
 };
 
@@ -40,6 +40,7 @@ struct Polygon_soup
   // What was asked for besides; empty if the file does not have it.
   std::vector<std::array<double, 3> > colors; // per point: red, green and blue, valid ones from 0 to 1
   std::vector<std::optional<Texture_point> > corner_uvs; // per corner
+  std::vector<std::array<double, 3> > face_colors; // per polygon, from 0 to 1
   std::vector<std::array<double, 3> > normals;
   std::vector<int> corner_normals; // per corner, -1 for none
   Obj_statements obj_statements;

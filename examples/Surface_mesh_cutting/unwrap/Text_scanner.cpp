@@ -18,13 +18,6 @@ char line_end_of(std::string_view text)
   return text.find('\n') == std::string_view::npos ? '\r' : '\n';
 }
 
-std::string printable(std::string_view word)
-{
-  std::string result(word.substr(0, 20));
-  std::replace_if(result.begin(), result.end(), [](char c) { return c < 32 || c > 126; }, '?');
-  return result + (word.size() > 20 ? "..." : "");
-}
-
 std::string_view without_plus(std::string_view word)
 {
   const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
@@ -45,6 +38,13 @@ std::optional<double> parse_number(std::string_view word)
 }
 
 } // namespace
+
+std::string printable(std::string_view word)
+{
+  std::string result(word.substr(0, 20));
+  std::replace_if(result.begin(), result.end(), [](char c) { return c < 32 || c > 126; }, '?');
+  return result + (word.size() > 20 ? "..." : "");
+}
 
 double number_or_nan(std::string_view word)
 {
@@ -107,6 +107,18 @@ std::string_view Text_scanner::word()
       return result;
     skip_line();
   }
+}
+
+std::string_view Text_scanner::rest_of_line()
+{
+  const std::size_t size = (std::min)(m_text.find(m_line_end), m_text.size());
+  std::string_view result = m_text.substr(0, size);
+  m_text.remove_prefix(size);
+  while(!result.empty() && is_blank(result.front()))
+    result.remove_prefix(1);
+  while(!result.empty() && is_blank(result.back()))
+    result.remove_suffix(1);
+  return result;
 }
 
 void Text_scanner::skip_line()

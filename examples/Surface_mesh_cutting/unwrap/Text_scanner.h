@@ -10,6 +10,9 @@
 // What some editors write in front of a text in UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 
+// A word as messages quote it: not long, and without what a terminal would interpret.
+std::string printable(std::string_view word);
+
 // For what is kept but not needed: NaN unless the word is a number.
 double number_or_nan(std::string_view word);
 
@@ -26,6 +29,8 @@ public:
   std::string_view word_in_line();
   // The end of the word that was read last becomes the next word.
   void put_back(std::string_view end) { m_text = {end.data(), m_text.size() + std::size_t(m_text.data() - end.data())}; }
+  // What is left of the line, whatever it is, without blanks at both ends.
+  std::string_view rest_of_line();
   // Leaves the current line.
   void skip_line();
 
@@ -41,6 +46,8 @@ public:
   int to_index(std::string_view word) const;
 
   std::string_view rest() const { return m_text; }
+  bool is_at_end() const { return m_text.empty(); }
+  int line() const { return m_line; } // counted from 1
   std::size_t number_of_line_ends() const;
 
   // Throws the `Failure` that what is expected here is not `word`.

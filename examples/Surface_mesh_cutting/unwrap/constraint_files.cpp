@@ -3,6 +3,7 @@
 #include "Text_scanner.h"
 #include "file_bytes.h"
 #include "outcome.h"
+#include "text_encoding.h"
 
 #include <cctype>
 #include <cmath>
@@ -16,7 +17,7 @@ auto read_file(const std::string& path, Read read)
 {
   try
   {
-    const std::string bytes = read_bytes(path);
+    const std::string bytes = in_utf8(read_bytes(path));
     Text_scanner scanner(without_byte_order_mark(bytes));
     return read(scanner);
   }

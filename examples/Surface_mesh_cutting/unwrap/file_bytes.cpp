@@ -8,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <poll.h>
+#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -26,7 +28,36 @@ void check_is_file(const std::string& path)
     fail("not a file");
 }
 
+[[noreturn]] void fail_to_read(int error) { fail(std::string("the file cannot be read: ") + std::strerror(error)); }
+
+// It may be a pipe, whose writer takes its time.
+void wait_for_standard_input()
+{
+  constexpr int milliseconds = 100;
+  pollfd request = {STDIN_FILENO, POLLIN, 0};
+  while(poll(&request, 1, milliseconds) <= 0)
+    end_if_stop_is_requested();
+  end_if_stop_is_requested();
+}
+
 } // namespace
+
+std::string read_standard_input()
+{
+  std::string bytes;
+  std::vector<char> chunk(1 << 20);
+  for(;;)
+  {
+    wait_for_standard_input();
+    const ssize_t length = read(STDIN_FILENO, chunk.data(), chunk.size());
+    if(length == 0)
+      return bytes;
+    if(length > 0)
+      bytes.append(chunk.data(), std::size_t(length));
+    else if(errno != EINTR && errno != EAGAIN)
+      fail_to_read(errno);
+  }
+}
 
 std::string read_bytes(const std::string& path)
 {
@@ -34,7 +65,7 @@ std::string read_bytes(const std::string& path)
   errno = 0;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if(file == nullptr)
-    fail(std::string("the file cannot be read: ") + std::strerror(errno));
+    fail_to_read(errno);
   std::error_code error;
   std::string bytes;
   const auto size = std::filesystem::file_size(path, error);
@@ -47,6 +78,6 @@ std::string read_bytes(const std::string& path)
     bytes.append(chunk.data(), length);
   }
   if(std::ferror(file.get()) != 0)
-    fail(std::string("the file cannot be read: ") + std::strerror(errno));
+    fail_to_read(errno);
   return bytes;
 }

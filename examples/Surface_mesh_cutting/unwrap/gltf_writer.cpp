@@ -268,9 +268,11 @@ private:
 
 } // namespace
 
-Data_kinds kinds_in_glb(bool has_own_material)
+Data_kinds kinds_in_glb(const Layout& layout, bool has_own_material)
 {
-  Data_kinds kinds = {Data_kind::NORMALS, Data_kind::COLORS, Data_kind::GROUPS};
+  Data_kinds kinds = {Data_kind::NORMALS, Data_kind::GROUPS};
+  if(!layout.colors.empty())
+    kinds.insert(Data_kind::COLORS);
   if(!has_own_material)
     kinds.insert(Data_kind::MATERIALS);
   return kinds;

@@ -10,6 +10,6 @@
 std::string to_glb(const Layout& layout, const std::string& png);
 
 // What that keeps of the input.
-Data_kinds kinds_in_glb(bool has_own_material);
+Data_kinds kinds_in_glb(const Layout& layout, bool has_own_material);
 
 #endif // UNWRAP_GLTF_WRITER_H

@@ -124,6 +124,7 @@ Layout layout_without_uvs(const Polygon_soup& soup)
   layout.polygon_ends = soup.polygon_ends;
   if(!find_wrong_color(soup))
     layout.colors = soup.colors;
+  layout.face_colors = soup.face_colors;
   layout.normals = soup.normals;
   layout.corner_normals = soup.corner_normals;
   layout.obj_statements = soup.obj_statements;

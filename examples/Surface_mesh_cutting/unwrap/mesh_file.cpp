@@ -1,14 +1,20 @@
 #include "mesh_file.h"
 
+#include "Off_header.h"
 #include "Text_scanner.h"
 #include "file_bytes.h"
 #include "file_extension.h"
+#include "foreign_formats.h"
+#include "obj_keywords.h"
 #include "outcome.h"
 #include "read_gltf.h"
 #include "read_with_cgal.h"
+#include "text_encoding.h"
 
 #include <climits>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -26,18 +32,45 @@ Reader find_reader_by_extension(const std::string& path)
 Reader find_reader_by_content(std::string_view bytes)
 {
   const std::string_view word = Text_scanner(without_byte_order_mark(bytes)).word();
-  return word == "OFF" ? read_off
+  return starts_off(word) ? read_off
        : word == "ply" ? read_ply
-       : starts_text_stl(bytes) ? read_stl : nullptr;
+       : starts_text_stl(bytes) || size_of_binary_stl(bytes) == bytes.size() ? read_stl
+       : bytes.substr(0, 4) == "glTF" ? read_glb
+       : starts_obj_statement(word) ? read_obj : nullptr;
+}
+
+// Tells what is wrong with a file that no reader knows.
+[[noreturn]] void fail_to_read(const std::string& path, std::string_view bytes)
+{
+  std::string reason = refuse_content(bytes);
+  if(reason.empty())
+    reason = refuse_ending(path);
+  throw Failure(Exit_code::UNREADABLE,
+                !reason.empty() ? reason : "the format is unknown or the file is damaged; OFF, OBJ, PLY, STL and glTF are read");
+}
+
+Polygon_soup read_of_unknown_name(const std::string& path, std::string_view bytes, Attributes attributes)
+{
+  if(const Reader read = find_reader_by_content(bytes); read != nullptr)
+    return read(bytes, attributes);
+  if(path != standard_input)
+    if(std::optional<Polygon_soup> soup = read_with_cgal(path))
+      return *std::move(soup);
+  fail_to_read(path, bytes);
 }
 
 Polygon_soup read_soup(const std::string& path, Attributes attributes)
 {
-  const std::string bytes = read_bytes(path);
-  Reader read = find_reader_by_extension(path);
+  std::string bytes = path == standard_input ? read_standard_input() : read_bytes(path);
+  const Reader read = find_reader_by_extension(path);
+  if(read == read_stl && size_of_binary_stl(bytes) == bytes.size()) // whatever its header begins with
+    return read_stl(bytes, attributes);
+  bytes = in_utf8(std::move(bytes));
   if(read == nullptr)
-    read = find_reader_by_content(bytes);
-  return read != nullptr ? read(bytes, attributes) : read_with_cgal(path);
+    return read_of_unknown_name(path, bytes, attributes);
+  if(!refuse_content(bytes).empty())
+    fail_to_read(path, bytes);
+  return read(bytes, attributes);
 }
 
 } // namespace

@@ -10,6 +10,8 @@
 
 #include "Polygon_soup.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,6 +37,9 @@ Polygon_soup read_off(std::string_view text, Attributes attributes = {});
 Polygon_soup read_obj(std::string_view text, Attributes attributes = {});
 Polygon_soup read_ply(std::string_view bytes, Attributes attributes = {});
 Polygon_soup read_stl(std::string_view bytes, Attributes attributes = {});
+
+// How many bytes a binary STL file with this header has; none if the header is not complete.
+std::optional<std::size_t> size_of_binary_stl(std::string_view bytes);
 
 // Whether the first word is the one with which an STL file of text starts.
 bool starts_text_stl(std::string_view bytes);

@@ -53,6 +53,12 @@ void write_polygon(const Layout& layout, std::size_t polygon, Number_writer& out
   out << "\n";
 }
 
+// A backslash at the end would join the next line; an empty one does no harm.
+void write_line(const std::string& text, Number_writer& out)
+{
+  out << text << (text.back() == '\\' ? "\n\n" : "\n");
+}
+
 void write_polygons(const Layout& layout, bool has_own_material, Number_writer& out)
 {
   using Line = Obj_statements::Line;
@@ -62,10 +68,10 @@ void write_polygons(const Layout& layout, bool has_own_material, Number_writer& 
     return std::partition_point(lines.begin(), lines.end(),
                                 [&](const Line& line) { return line.polygon < int(polygon); });
   };
-  const auto write_line = [&](const Line& line, Number_writer& block)
+  const auto write_statement = [&](const Line& line, Number_writer& block)
   {
     if(!has_own_material || (line.text.rfind("usemtl", 0) != 0 && line.text.rfind("mtllib", 0) != 0))
-      block << line.text << "\n";
+      write_line(line.text, block);
   };
   const std::size_t size = layout.polygon_ends.size();
   write_in_blocks(size, [&](std::size_t begin, std::size_t end, Number_writer& block)
@@ -74,12 +80,12 @@ void write_polygons(const Layout& layout, bool has_own_material, Number_writer& 
     for(std::size_t polygon = begin; polygon < end; ++polygon)
     {
       for(; line != lines.end() && line->polygon <= int(polygon); ++line)
-        write_line(*line, block);
+        write_statement(*line, block);
       write_polygon(layout, polygon, block);
     }
   }, out);
   for(auto line = first_line_from(size); line != lines.end(); ++line)
-    write_line(*line, out);
+    write_statement(*line, out);
 }
 
 } // namespace
@@ -87,6 +93,9 @@ void write_polygons(const Layout& layout, bool has_own_material, Number_writer& 
 std::string to_obj(const Layout& layout, const std::string& material_file)
 {
   Number_writer out;
+  for(const Obj_statements::Line& line : layout.obj_statements.lines)
+    if(line.polygon < 0)
+      write_line(line.text, out);
   if(!material_file.empty())
     out << "mtllib " << material_file << "\n";
   write_points(layout, out);
@@ -99,13 +108,15 @@ std::string to_obj(const Layout& layout, const std::string& material_file)
   return std::move(out).text();
 }
 
-Data_kinds kinds_in_obj(bool has_own_material)
+Data_kinds kinds_in_obj(const Layout& layout, bool has_own_material)
 {
-  Data_kinds kinds = {Data_kind::NORMALS, Data_kind::COLORS, Data_kind::GROUPS, Data_kind::SMOOTHING_GROUPS,
-                      Data_kind::LINES, Data_kind::POINTS, Data_kind::CURVES_AND_SURFACES, Data_kind::POINT_WEIGHTS,
+  Data_kinds kinds = {Data_kind::NORMALS, Data_kind::GROUPS, Data_kind::SMOOTHING_GROUPS, Data_kind::LINES,
+                      Data_kind::POINTS, Data_kind::CURVES_AND_SURFACES, Data_kind::POINT_WEIGHTS,
                       Data_kind::DISPLAY_SETTINGS, Data_kind::UNKNOWN_STATEMENTS, Data_kind::COMMENTS};
   if(!has_own_material)
     kinds.insert({Data_kind::MATERIALS, Data_kind::MATERIAL_FILES});
+  if(!layout.colors.empty() || !layout.obj_statements.point_ends.empty())
+    kinds.insert(Data_kind::COLORS);
   return kinds;
 }
 

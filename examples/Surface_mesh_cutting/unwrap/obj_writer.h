@@ -10,7 +10,7 @@
 std::string to_obj(const Layout& layout, const std::string& material_file);
 
 // What that keeps of the input.
-Data_kinds kinds_in_obj(bool has_own_material);
+Data_kinds kinds_in_obj(const Layout& layout, bool has_own_material);
 
 // The edges of the cut as lines, and the feature points.
 std::string cut_to_obj(const Layout& layout);

@@ -35,8 +35,8 @@ std::string material_file_name(const Output_places& places, const Options& optio
 Data_kinds written_kinds(const Options& options, const Layout& layout)
 {
   const bool has_own_material = !options.texture.empty();
-  return is_glb(options.output) ? kinds_in_glb(has_own_material)
-       : is_ply(options.output) ? kinds_in_ply(layout) : kinds_in_obj(has_own_material);
+  return is_glb(options.output) ? kinds_in_glb(layout, has_own_material)
+       : is_ply(options.output) ? kinds_in_ply(layout) : kinds_in_obj(layout, has_own_material);
 }
 
 } // namespace

@@ -4,10 +4,12 @@
 #include "Ply_source.h"
 #include "byte_order.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -78,30 +80,71 @@ std::string renewed(const Ply_source& source, const Layout& layout, const std::s
   return std::move(out).text();
 }
 
-void write_header(const Layout& layout, const std::string& image, Number_writer& out)
+using Vectors = std::vector<std::array<double, 3> >;
+
+// Per point, or nothing if corners of one point have different ones.
+Vectors point_normals(const Layout& layout)
+{
+  Vectors normals(layout.points.size(), {{0, 0, 0}});
+  std::vector<int> numbers(layout.points.size(), -1);
+  for(std::size_t corner = 0; corner < layout.corner_normals.size(); ++corner)
+  {
+    const int normal = layout.corner_normals[corner];
+    const std::size_t point = std::size_t(layout.corners[corner]);
+    if(numbers[point] >= 0 && (normal < 0 || layout.normals[std::size_t(normal)] != normals[point]))
+      return {};
+    numbers[point] = normal;
+    if(normal >= 0)
+      normals[point] = layout.normals[std::size_t(normal)];
+  }
+  return layout.corner_normals.empty() ? Vectors() : normals;
+}
+
+void write_color_properties(const Vectors& colors, Number_writer& out)
+{
+  if(!colors.empty())
+    out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+}
+
+void write_color(const Vectors& colors, std::size_t i, Number_writer& out)
+{
+  if(!colors.empty())
+    for(const double channel : colors[i])
+      out << " " << int(std::lround(255 * channel));
+}
+
+void write_header(const Layout& layout, const Vectors& normals, const std::string& image, Number_writer& out)
 {
   out << "ply\nformat ascii 1.0\n";
   if(!image.empty())
     out << image_comment(image) << "\n";
+  for(const Obj_statements::Line& line : layout.obj_statements.lines)
+    if(line.text.front() == '#')
+      out << "comment " << line.text << "\n";
   out << "element vertex " << int(layout.points.size())
       << "\nproperty double x\nproperty double y\nproperty double z\n";
-  if(!layout.colors.empty())
-    out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if(!normals.empty())
+    out << "property double nx\nproperty double ny\nproperty double nz\n";
+  write_color_properties(layout.colors, out);
   out << "element face " << int(layout.polygon_ends.size()) << "\nproperty list uint int vertex_indices\n"
-      << texture_property() << "\nend_header\n";
+      << texture_property() << "\n";
+  write_color_properties(layout.face_colors, out);
+  out << "end_header\n";
 }
 
 std::string new_file(const Layout& layout, const std::string& image)
 {
+  const Vectors normals = point_normals(layout);
   Number_writer out;
-  write_header(layout, image, out);
+  write_header(layout, normals, image, out);
   for(std::size_t v = 0; v < layout.points.size(); ++v)
   {
     const std::array<double, 3>& point = layout.points[v];
     out << point[0] << " " << point[1] << " " << point[2];
-    if(!layout.colors.empty())
-      for(const double channel : layout.colors[v])
-        out << " " << int(std::lround(255 * channel));
+    if(!normals.empty())
+      for(const double x : normals[v])
+        out << " " << x;
+    write_color(layout.colors, v, out);
     out << "\n";
   }
   std::size_t corner = 0;
@@ -111,6 +154,7 @@ std::string new_file(const Layout& layout, const std::string& image)
     for(; corner < layout.polygon_ends[polygon]; ++corner)
       out << " " << layout.corners[corner];
     write_texture_coordinates(layout, polygon, out << " ");
+    write_color(layout.face_colors, polygon, out);
     out << "\n";
   }
   return std::move(out).text();
@@ -120,7 +164,16 @@ std::string new_file(const Layout& layout, const std::string& image)
 
 Data_kinds kinds_in_ply(const Layout& layout)
 {
-  return layout.ply_source ? layout.kinds : Data_kinds{Data_kind::COLORS};
+  if(layout.ply_source)
+    return layout.kinds;
+  Data_kinds kinds = {Data_kind::COMMENTS};
+  if(!point_normals(layout).empty())
+    kinds.insert(Data_kind::NORMALS);
+  if(!layout.colors.empty())
+    kinds.insert(Data_kind::COLORS);
+  if(!layout.face_colors.empty())
+    kinds.insert(Data_kind::FACE_COLORS);
+  return kinds;
 }
 
 std::string to_ply(const Layout& layout, const std::string& image)

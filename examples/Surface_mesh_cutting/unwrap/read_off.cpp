@@ -1,160 +1,145 @@
+#include "Off_attributes.h"
+#include "Off_header.h"
 #include "Text_scanner.h"
 #include "mesh_file.h"
 #include "outcome.h"
-#include "point_uvs.h"
-#include "vertex_colors.h"
+#include "read_binary_off.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace {
 
-// What a line has behind the coordinates of a point.
-struct Point_line
+// Reads the elements once.
+class Off_reader
 {
-  bool has_normal = false, has_color = false, has_uv = false; // in this order
+public:
+  // `has_lines`: whether each point and each polygon has a line of its own. Otherwise, there is nothing but coordinates
+  // and corners, in any lines.
+  Off_reader(const Text_scanner& scanner, const Off_header& header, bool has_lines, Attributes attributes)
+    : m_scanner(scanner), m_header(header), m_has_lines(has_lines), m_attributes(header, attributes)
+  {}
+
+  Polygon_soup run()
+  {
+    const int number_of_points = m_scanner.index();
+    const int number_of_polygons = m_scanner.index();
+    m_scanner.skip_line(); // the number of edges
+
+    // An element takes at least a line of its own with a character in it.
+    const std::size_t maximum = m_scanner.rest().size() / 2 + 1;
+    m_soup.points.reserve((std::min)(std::size_t(number_of_points), maximum));
+    m_soup.polygon_ends.reserve((std::min)(std::size_t(number_of_polygons), maximum));
+    for(int i = 0; i < number_of_points; ++i)
+      read_point();
+    if(!m_has_lines)
+      if(const std::string_view word = m_scanner.word_in_line(); !word.empty())
+        m_scanner.fail("the end of the line", word);
+    for(int i = 0; i < number_of_polygons; ++i)
+      read_polygon();
+    if(!m_has_lines)
+      if(const std::string_view word = m_scanner.word(); !word.empty())
+        m_scanner.fail("the end of the file", word);
+    m_attributes.complete(m_soup);
+    return std::move(m_soup);
+  }
+
+private:
+  // The next number of an element.
+  std::string_view next_word() { return m_has_lines ? m_scanner.word_in_line() : m_scanner.word(); }
+
+  void read_point()
+  {
+    std::array<double, 4> x = {{m_scanner.number(), 0, 0, 1}};
+    for(int i = 1; i < m_header.number_of_coordinates(); ++i)
+      x[std::size_t(i)] = m_scanner.to_number(next_word());
+    m_soup.points.push_back({{x[0] / x[3], x[1] / x[3], x[2] / x[3]}});
+    if(m_has_lines)
+      m_attributes.add_point(finish_line(), m_soup);
+  }
+
+  void read_polygon()
+  {
+    const int size = m_scanner.index();
+    for(int k = 0; k < size; ++k)
+      m_soup.corners.push_back(m_scanner.to_index(next_word()));
+    m_soup.close_polygon();
+    if(m_has_lines)
+      m_attributes.add_polygon(finish_line(), m_soup);
+    else
+      m_scanner.skip_line();
+  }
+
+  // The numbers that stand behind.
+  const std::vector<double>& finish_line()
+  {
+    m_numbers.clear();
+    for(std::string_view word = m_scanner.word_in_line(); !word.empty(); word = m_scanner.word_in_line())
+      m_numbers.push_back(number_or_nan(word));
+    m_scanner.skip_line();
+    return m_numbers;
+  }
+
+  Text_scanner m_scanner;
+  const Off_header m_header;
+  const bool m_has_lines;
+  Off_attributes m_attributes;
+  Polygon_soup m_soup;
+  std::vector<double> m_numbers;
 };
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
-
-// Reads the word OFF with its prefixes. Files that start with the counts have been seen, too, and many without a space
-// between them and the word.
-Point_line read_word_of_format(Text_scanner& scanner)
+// They go to the top, in their order.
+void keep_comments(std::string_view text, Polygon_soup& soup)
 {
-  constexpr std::string_view off = "OFF";
-  const std::string_view word = scanner.word();
-  const std::size_t length = word.compare(0, off.size(), off) == 0 ? off.size() : 0;
-  if(word.size() > length && is_digit(word[length]) && word != "4OFF")
+  for(std::size_t begin = text.find('#'); begin < text.size(); begin = text.find('#', begin))
   {
-    scanner.put_back(word.substr(length));
-    return {};
+    const std::size_t end = (std::min)(text.find_first_of("\r\n", begin), text.size());
+    soup.obj_statements.lines.push_back({-1, std::string(text.substr(begin, end - begin))});
+    soup.kinds.insert(Data_kind::COMMENTS);
+    begin = end;
   }
-  if(word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF" && word != "STOFF"
-     && word != "STCOFF" && word != "STNOFF" && word != "STCNOFF")
-    scanner.fail("OFF", word);
-  const Text_scanner behind = scanner;
-  if(scanner.word_in_line() == "BINARY")
-    throw Failure(Exit_code::UNREADABLE, "binary OFF is not supported, use binary PLY");
-  scanner = behind;
-  const auto has = [&](std::string_view prefix) { return word.find(prefix) != std::string_view::npos; };
-  return {has("N"), has("C"), has("ST")};
 }
 
-// The last two words of the line, since colors may be of three numbers or four.
-Polygon_soup::Texture_point read_uv(Text_scanner& scanner)
-{
-  std::string_view u, v;
-  for(std::string_view word = scanner.word_in_line(); !word.empty(); word = scanner.word_in_line())
-  {
-    u = v;
-    v = word;
-  }
-  return {{scanner.to_number(u), scanner.to_number(v)}};
-}
-
-void read_attributes(Point_line line, Text_scanner& scanner, Point_uvs& uvs, Polygon_soup& soup)
-{
-  for(int i = 0; i < 3 && line.has_normal; ++i)
-    scanner.word_in_line();
-  if(line.has_color)
-    read_color(scanner, soup);
-  if(line.has_uv)
-    uvs.push_back(read_uv(scanner));
-}
-
-// The next number of a point or polygon: in the same line if each has a line of its own.
-std::string_view next_word(Text_scanner& scanner, bool has_lines)
-{
-  return has_lines ? scanner.word_in_line() : scanner.word();
-}
-
-// Without a line for each point, there is nothing but coordinates, in any lines.
-Point_uvs read_points(Text_scanner& scanner, int number, const std::optional<Point_line>& line, Polygon_soup& soup)
-{
-  Point_uvs uvs;
-  for(int i = 0; i < number; ++i)
-  {
-    const double x = scanner.number();
-    const double y = scanner.to_number(next_word(scanner, line.has_value()));
-    const double z = scanner.to_number(next_word(scanner, line.has_value()));
-    soup.points.push_back({{x, y, z}});
-    if(!line)
-      continue;
-    read_attributes(*line, scanner, uvs, soup);
-    scanner.skip_line(); // with what stands behind
-  }
-  if(!line)
-    if(const std::string_view word = scanner.word_in_line(); !word.empty())
-      scanner.fail("the end of the line", word);
-  return uvs;
-}
-
-Polygon_soup read_elements(Text_scanner& scanner, const std::optional<Point_line>& line)
-{
-  const int number_of_points = scanner.index();
-  const int number_of_polygons = scanner.index();
-  scanner.skip_line(); // the number of edges
-
-  // An element takes at least a line of its own with a character in it.
-  const std::size_t maximum = scanner.rest().size() / 2 + 1;
-  Polygon_soup soup;
-  soup.points.reserve((std::min)(std::size_t(number_of_points), maximum));
-  soup.polygon_ends.reserve((std::min)(std::size_t(number_of_polygons), maximum));
-
-  const Point_uvs uvs = read_points(scanner, number_of_points, line, soup);
-  for(int i = 0; i < number_of_polygons; ++i)
-  {
-    const int size = scanner.index();
-    for(int k = 0; k < size; ++k)
-      soup.corners.push_back(scanner.to_index(next_word(scanner, line.has_value())));
-    soup.close_polygon();
-    scanner.skip_line();
-  }
-  complete_colors(soup);
-  if(!uvs.empty())
-    set_corner_uvs(uvs, soup);
-  return soup;
-}
-
-std::optional<Polygon_soup> try_any_lines(Text_scanner& scanner)
+Polygon_soup read_text(const Text_scanner& behind_header, const Off_header& header, Attributes attributes)
 {
   try
   {
-    const Polygon_soup soup = read_elements(scanner, std::nullopt);
-    return scanner.word().empty() ? std::make_optional(soup) : std::nullopt;
+    return Off_reader(behind_header, header, true, attributes).run();
   }
   catch(const Failure& failure)
   {
     if(failure.code != Exit_code::UNREADABLE)
       throw;
-    return {};
+    try
+    {
+      return Off_reader(behind_header, header, false, attributes).run();
+    }
+    catch(const Failure& other)
+    {
+      if(other.code != Exit_code::UNREADABLE)
+        throw;
+    }
+    throw;
   }
 }
 
 } // namespace
 
-// Usually, each point and each polygon has a line of its own, and what follows its numbers is passed over. Some files
-// have several points in a line, or one in several: that is tried where the other reading fails, and must account for all.
+// Usually, each point and each polygon has a line of its own. Some files have several points in a line, or one in several:
+// that is tried where the other reading fails, and must account for all.
 Polygon_soup read_off(std::string_view text, Attributes attributes)
 {
   Text_scanner scanner(without_byte_order_mark(text));
-  Point_line line = read_word_of_format(scanner);
-  line.has_color = line.has_color && attributes.has_looks;
-  line.has_uv = line.has_uv && attributes.has_uvs;
-  const Text_scanner behind_header = scanner;
-  try
-  {
-    return read_elements(scanner, line);
-  }
-  catch(const Failure& failure)
-  {
-    if(failure.code != Exit_code::UNREADABLE)
-      throw;
-    scanner = behind_header;
-    const std::optional<Polygon_soup> soup = try_any_lines(scanner);
-    if(!soup)
-      throw;
-    return *soup;
-  }
+  const Off_header header = read_off_header(scanner);
+  if(header.is_binary)
+    return read_binary_off(scanner.rest(), header, attributes);
+  Polygon_soup soup = read_text(scanner, header, attributes);
+  if(attributes.has_looks)
+    keep_comments(text, soup);
+  return soup;
 }

@@ -2,6 +2,7 @@
 #include "Ply_source.h"
 #include "Ply_values.h"
 #include "Text_scanner.h"
+#include "complete_normals.h"
 #include "mesh_file.h"
 #include "outcome.h"
 #include "point_uvs.h"
@@ -159,6 +160,16 @@ void complete_point_attributes(Polygon_soup& soup)
     soup.normals.clear();
   if(!soup.normals.empty())
     soup.corner_normals = soup.corners;
+  complete_normals(soup);
+}
+
+void add_notes(const Ply_header& header, Polygon_soup& soup)
+{
+  const Data_kinds kinds = header.kinds();
+  soup.kinds.insert(kinds.begin(), kinds.end());
+  for(const std::string_view comment : header.comments)
+    if(!comment.empty())
+      soup.obj_statements.lines.push_back({-1, (comment.front() == '#' ? "" : "# ") + std::string(comment)});
 }
 
 // The position of the property that lists the vertices of an element of `polygons`.
@@ -321,6 +332,7 @@ Ply_source make_source(const Ply_header& header, std::string_view bytes)
 
 Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
 {
+  bytes = without_byte_order_mark(bytes);
   Text_scanner scanner(bytes);
   const Ply_header header = read_ply_header(scanner);
   Ply_values values(header, scanner, bytes);
@@ -343,6 +355,8 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
       skip_elements(element, values);
   }
   complete_point_attributes(soup);
+  if(attributes.has_looks)
+    add_notes(header, soup);
   const auto has_value = [](const auto& uv) { return uv.has_value(); };
   if(!points.uvs().empty() && std::none_of(soup.corner_uvs.begin(), soup.corner_uvs.end(), has_value))
     set_corner_uvs(points.uvs(), soup);

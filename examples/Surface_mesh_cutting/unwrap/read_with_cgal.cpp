@@ -7,7 +7,7 @@
 
 #include <exception>
 
-Polygon_soup read_with_cgal(const std::string& path)
+std::optional<Polygon_soup> read_with_cgal(const std::string& path)
 {
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::vector<int> > polygons;
@@ -21,7 +21,7 @@ Polygon_soup read_with_cgal(const std::string& path)
     // the same to the user
   }
   if(!is_read)
-    throw Failure(Exit_code::UNREADABLE, "the format is unknown or the file is damaged");
+    return {};
 
   Polygon_soup soup;
   for(const auto& p : points)

@@ -3,6 +3,19 @@
 #include <algorithm>
 #include <string_view>
 
+void complete_fractions(std::vector<std::array<double, 3> >& colors)
+{
+  constexpr double largest = 255;
+  double maximum = 0;
+  for(const std::array<double, 3>& color : colors)
+    for(const double channel : color)
+      maximum = (std::max)(maximum, channel);
+  if(maximum > 1)
+    for(std::array<double, 3>& color : colors)
+      for(double& channel : color)
+        channel /= largest;
+}
+
 void read_color(Text_scanner& scanner, Polygon_soup& soup)
 {
   const std::string_view red = scanner.word_in_line();
@@ -13,17 +26,9 @@ void read_color(Text_scanner& scanner, Polygon_soup& soup)
 
 void complete_colors(Polygon_soup& soup)
 {
-  constexpr double largest = 255;
   if(soup.colors.size() != soup.points.size())
     soup.colors.clear();
-  double maximum = 0;
-  for(const std::array<double, 3>& color : soup.colors)
-    for(const double channel : color)
-      maximum = (std::max)(maximum, channel);
-  if(maximum > 1)
-    for(std::array<double, 3>& color : soup.colors)
-      for(double& channel : color)
-        channel /= largest;
+  complete_fractions(soup.colors);
 }
 
 std::optional<int> find_wrong_color(const Polygon_soup& soup)

@@ -1,0 +1,9 @@
+#ifndef UNWRAP_TEXT_ENCODING_H
+#define UNWRAP_TEXT_ENCODING_H
+
+#include <string>
+
+// A text in UTF-16, which starts with a byte order mark, in UTF-8 and without one. Everything else stays as it is.
+std::string in_utf8(std::string bytes);
+
+#endif // UNWRAP_TEXT_ENCODING_H
