@@ -2,7 +2,8 @@
 """Blender add-on: unwraps meshes along short cuts, which the program `unwrap` finds.
 
 The modules, each using only those before it: `surface` (meshes as arrays), `seams` (what is cut where corners differ),
-`files` (what the program reads and writes), `settings` (what the user chooses), `command` (the call of the program),
+`angles` (hard edges), `files` (what the program reads and writes), `stretch` (distortion in percent), `settings` (what the user
+chooses), `command` (the call of the program),
 `run` (its process), `task` (one run after the other), `write_back` (results into meshes), `messages` (reports in words),
 `preferences`, `operator`."""
 
@@ -16,7 +17,7 @@ bl_info = {
     "version": (1, 0, 0),
     "blender": (3, 4, 0),
     "location": "Edit Mode > UV > Unwrap with Shortest Cuts; Object Mode > Object > Unwrap with Shortest Cuts",
-    "description": "Finds short seams along which meshes flatten with little distortion, and unwraps them",
+    "description": "Finds short seams that let meshes unwrap with little stretch, and unwraps along them",
     "category": "UV",
 }
 

@@ -3,13 +3,15 @@
 
 import numpy as np
 
-from . import files
+from . import angles, files
+from .stretch import energy_of
 
 MESH, LAYOUT, REPORT = "mesh.ply", "layout.obj", "report.json"
 
 SHARP_FACTOR = 0.2  # of the program's weights "crease"
 GROUP_FACTOR = 10
 NEVER_FROM = 0.5  # the weight in the vertex group
+ANGLE_TOLERANCE = 1e-4  # radians, as coordinates have single precision
 
 
 class Refusal(Exception):
@@ -22,15 +24,24 @@ def _number(value):
 
 
 def _constrain(surface, settings, folder):
-    """The arguments for seams that were marked before. An edge with one face is open anyway."""
-    if settings.marked_seams == 'IGNORE':
-        return []
+    """The arguments for edges that become seams, and for those to start from. An edge with one face is open anyway."""
+    is_fixed = np.zeros(len(surface.edge_vertices), bool)
+    if settings.marked_seams == 'KEEP':
+        is_fixed |= surface.is_seam
+    if settings.cut_marked_sharp:
+        is_fixed |= surface.is_sharp
+    if settings.cut_sharp:
+        is_fixed |= angles.at_edges(surface) >= settings.sharp_angle - ANGLE_TOLERANCE
+    is_start = surface.is_seam & (settings.marked_seams == 'START')
     faces_at = np.bincount(surface.corner_edges, minlength=len(surface.edge_vertices))
-    seams = surface.edge_vertices[surface.is_seam & (faces_at > 1)]
-    if len(seams) == 0:
-        return []
-    files.write_edges(folder / "seams.selection.txt", seams)
-    return ["--must-cut" if settings.marked_seams == 'KEEP' else "--initial-cut", "seams.selection.txt"]
+    arguments = []
+    for option, name, is_chosen in (("--must-cut", "fixed.selection.txt", is_fixed),
+                                    ("--initial-cut", "start.selection.txt", is_start)):
+        edges = surface.edge_vertices[is_chosen & (faces_at > 1)]
+        if len(edges) > 0:
+            files.write_edges(folder / name, edges)
+            arguments += [option, name]
+    return arguments
 
 
 def _weigh(surface, settings, folder):
@@ -74,8 +85,8 @@ def prepare(surface, settings, threads, folder):
                  "--uv-scale", settings.scale]
     if settings.scale == 'unit':
         arguments += ["--margin", _number(settings.margin), "--texture-size", str(settings.texture_size)]
-    if settings.has_bound:
-        arguments += ["--max-distortion", _number(settings.bound)]
+    if settings.limits_stretch:
+        arguments += ["--max-distortion", _number(energy_of(settings.stretch))]
     if settings.may_overlap:
         arguments.append("--allow-overlap")
     if settings.time_limit > 0:

@@ -3,24 +3,35 @@
 
 import re
 
-NO_PROGRAM = ("The program unwrap was not found: build it, and set its path in the preferences of the add-on "
-              "or put its folder on PATH")
+from . import stretch
+
+NO_PROGRAM = ("The program unwrap was not found: install the add-on from an archive that holds it, or set its path in the "
+              "preferences of the add-on")
 
 _ADVICE = {
-    2: "The program is of another version than the add-on: build both again",
-    3: "This is a defect of the add-on",
+    2: "The program and the add-on are of different versions: install both from the same archive",
+    3: "This is a mistake in the add-on: please report it",
     4: "Repair what is selected, or ask for less: fewer seams to keep, a smaller vertex group",
     5: "Try Allow Overlaps, or another effort",
     6: "Allow more time",
 }
 _INTERPRETED = {
-    "non_manifold_edges": "edges with more than two faces, which became seams",
-    "non_manifold_vertices": "vertices at which faces do not hang together",
-    "reoriented_faces": "faces that look to the other side than their neighbors",
-    "non_orientable_edges": "edges opened because the surface has only one side",
-    "degenerate_faces": "faces with a vertex twice",
-    "duplicate_faces": "faces that are there more than once",
-    "welded_vertices": "vertices at the same place as others",
+    "non_manifold_edges": "Edges with more than two faces, which became seams",
+    "non_manifold_vertices": "Vertices that connect faces without a common edge",
+    "reoriented_faces": "Faces that point the other way than their neighbors (Mesh > Normals > Recalculate Outside)",
+    "non_orientable_edges": "Edges that became seams because the surface has only one side, like a Moebius strip",
+    "degenerate_faces": "Faces that use a vertex twice (Mesh > Clean Up > Degenerate Dissolve)",
+    "duplicate_faces": "Faces that exist more than once (Mesh > Merge > By Distance)",
+    "welded_vertices": "Vertices at the same place as others (Mesh > Merge > By Distance)",
+}
+
+
+# What the program warns of, by words that it uses.
+_WARNINGS = {
+    "at the same point": "Several vertices are at the same place: merge them (Mesh > Merge > By Distance) if the faces there "
+                         "belong together",
+    "inside out": "Closed parts are inside out (Mesh > Normals > Recalculate Outside)",
+    "of length zero": "Edges of length zero (Mesh > Merge > By Distance)",
 }
 
 
@@ -42,17 +53,19 @@ def failure(result):
 def warnings(result):
     """What the user should know about a run with a layout."""
     report = result.report
-    texts = [_without_numbers(text) for text in report["warnings"]]
+    texts = [next((words for part, words in _WARNINGS.items() if part in text), _without_numbers(text))
+             for text in report["warnings"]]
     texts += [f"{_INTERPRETED.get(found['what'], found['what'])}: {found['count']}" for found in report["interpreted"]]
     if result.exit_code == 6:
-        texts.append("stopped: this is the best result so far")
+        texts.append("Stopped: this is the best layout found so far")
     if result.exit_code == 7:
-        texts.append(f"the bound is not reached, the mean energy is {report['E_iso']:.4g}: allow more")
+        texts.append(f"The stretch is {stretch.percent_of(report['E_iso']):.1f} %: seams cannot go where they would lower it "
+                     "to the limit")
     return texts
 
 
 def summary(results):
     """Measures of all layouts."""
-    charts = sum(result.report["charts"] for result in results)
-    energies = ", ".join(f"{result.report['E_iso']:.3f}" for result in results)
-    return f"{charts} chart{'s' if charts > 1 else ''}, mean energy {energies} (4: no distortion)"
+    islands = sum(result.report["charts"] for result in results)
+    percents = ", ".join(f"{stretch.percent_of(result.report['E_iso']):.1f} %" for result in results)
+    return f"{islands} island{'s' if islands > 1 else ''}, mean stretch {percents}"

@@ -36,13 +36,14 @@ def _read_surfaces(context, settings):
 
 
 class UV_OT_unwrap_with_shortest_cuts(UnwrapSettings, bpy.types.Operator):
-    """Find short seams along which the mesh flattens with little distortion, and unwrap it along them"""
+    """Find short seams that let the mesh unwrap with little stretch, and unwrap it along them"""
 
     bl_idname = "uv.unwrap_with_shortest_cuts"
     bl_label = "Unwrap with Shortest Cuts"
     bl_options = {'REGISTER', 'UNDO'}
 
     _is_from_dialog = False
+    _task = None  # until the dialog is confirmed
     _timer = None
     _is_stopping = False
 
@@ -56,7 +57,8 @@ class UV_OT_unwrap_with_shortest_cuts(UnwrapSettings, bpy.types.Operator):
     def invoke(self, context, _event):
         """Asks for the settings. What follows can be watched and ended, unlike a call from a script or a redo."""
         self._is_from_dialog = True
-        return context.window_manager.invoke_props_dialog(self, width=360)
+        texts = {"confirm_text": "Unwrap"} if bpy.app.version >= (4, 1) else {}
+        return context.window_manager.invoke_props_dialog(self, width=400, **texts)
 
     def execute(self, context):
         is_from_dialog, self._is_from_dialog = self._is_from_dialog, False
@@ -129,7 +131,8 @@ class UV_OT_unwrap_with_shortest_cuts(UnwrapSettings, bpy.types.Operator):
             context.window_manager.event_timer_remove(self._timer)
             self._timer = None
             context.workspace.status_text_set(None)
-        self._task.close()
+        if self._task is not None:
+            self._task.close()
 
     # ------------------------------------------------------------------------------------------------- at the end
 

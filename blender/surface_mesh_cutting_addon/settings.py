@@ -1,91 +1,132 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the user chooses for a run."""
 
+import math
+
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
+
+# What a preset does not mention has the value of "Balanced".
+BALANCED = {"limits_stretch": False, "stretch": 12.0, "cut_sharp": False, "hidden": False, "straight": False}
+PRESETS = {
+    'BALANCED': {},
+    'FEW_SEAMS': {"limits_stretch": True, "stretch": 25.0},
+    'LITTLE_STRETCH': {"limits_stretch": True, "stretch": 8.0},
+    'CHARACTER': {"limits_stretch": True, "hidden": True},
+    'HARD_SURFACE': {"cut_sharp": True, "straight": True},
+}
+
+
+def apply_preset(settings, _context=None):
+    for name, value in {**BALANCED, **PRESETS[settings.preset]}.items():
+        setattr(settings, name, value)
 
 
 class UnwrapSettings:
     """The properties of the operator, and how they are laid out."""
 
+    preset: EnumProperty(
+        name="Preset", default='BALANCED', update=apply_preset, description="A starting point, which fills in the settings below",
+        items=[('BALANCED', "Balanced", "Short seams and moderate stretch"),
+               ('FEW_SEAMS', "Few Seams", "As little seam as a stretch of 25 % allows"),
+               ('LITTLE_STRETCH', "Little Stretch", "More seams, so that lengths differ by 8 %"),
+               ('CHARACTER', "Character", "Seams where they are hard to see, and little stretch"),
+               ('HARD_SURFACE', "Hard Surface", "Seams along all hard edges and otherwise in straight lines")])
     effort: EnumProperty(
-        name="Effort", default='default', description="How hard to look for short seams",
-        items=[('fast', "Fast", "Seams are not shortened"),
-               ('default', "Default", "Seams are shortened"),
-               ('best', "Best", "Several starts and many variants: takes several times as long")])
-    has_bound: BoolProperty(
-        name="Bound the Distortion", default=False,
-        description="Add seams until the mean energy is at most the bound, and leave out those that it does not ask for")
-    bound: FloatProperty(
-        name="Bound", default=4.1, min=4.0001, soft_max=5, max=1e6, precision=3, step=1,
-        description="Of the mean symmetric Dirichlet energy: 4 means no distortion, 4.1 is barely visible")
+        name="Effort", default='default', description="How long to look for shorter seams",
+        items=[('fast', "Fast", "For a first impression"),
+               ('default', "Normal", "For most models"),
+               ('best', "Thorough", "Takes several times as long; seams may be a little shorter")])
+    limits_stretch: BoolProperty(
+        name="Limit Stretch", default=BALANCED["limits_stretch"],
+        description="Add seams until the mean stretch is below the limit, and remove those that it does not require")
+    stretch: FloatProperty(
+        name="Limit", default=BALANCED["stretch"], min=0.1, soft_min=2, soft_max=50, max=1e4, precision=1, subtype='PERCENTAGE',
+        description="How much longer or shorter lengths in the layout are than on the model, on average. "
+                    "12 % is barely visible on a checkerboard")
     may_overlap: BoolProperty(
         name="Allow Overlaps", default=False,
-        description="Parts of the layout may overlap: faster, and a little less distortion")
+        description="Parts of an island may lie on top of each other: faster, and slightly less stretch")
 
     marked_seams: EnumProperty(
-        name="Marked Seams", default='IGNORE', description="What becomes of the seams that are marked now",
-        items=[('IGNORE', "Ignore", "Find new seams"),
-               ('KEEP', "Keep", "Cut all of them, and what else is needed"),
-               ('START', "Start From", "Connect, extend and shorten them; some may be left out")])
+        name="Marked Seams", default='KEEP', description="What to do with seams that are already marked",
+        items=[('KEEP', "Keep", "Every marked seam stays a seam; more are added where they are needed"),
+               ('START', "Improve", "Use them as a starting point: they are connected, shortened and completed"),
+               ('IGNORE', "Ignore", "Find new seams without regard to them")])
+    cut_sharp: BoolProperty(name="Seams at Hard Edges", default=BALANCED["cut_sharp"],
+                            description="Make every edge a seam where faces meet at the angle below or a larger one")
+    sharp_angle: FloatProperty(name="Angle", default=math.radians(45), min=math.radians(1), max=math.pi, subtype='ANGLE',
+                               description="The smallest angle between faces that makes their edge a hard one")
+    cut_marked_sharp: BoolProperty(name="Seams at Edges Marked Sharp", default=False,
+                                   description="Make every edge that is marked as sharp a seam")
     sharp: BoolProperty(name="Prefer Creases", default=False,
-                        description="Where faces meet at an angle, seams cost down to a fifth of their length")
+                        description="Seams follow folds of the surface where they can")
     marked_sharp: BoolProperty(name="Prefer Edges Marked Sharp", default=False,
-                               description="At edges marked as sharp, seams cost a fifth of their length")
-    hidden: BoolProperty(name="Prefer Hidden Places", default=False,
-                         description="Where the surface hides itself, seams cost down to a tenth of their length")
-    straight: BoolProperty(name="Prefer Straight Lines", default=False,
-                           description="Along and across the direction in which the surface bends most, seams cost down to a "
-                                       "fifth of their length")
+                               description="Seams follow edges that are marked as sharp where they can")
+    hidden: BoolProperty(name="Prefer Hidden Places", default=BALANCED["hidden"],
+                         description="Seams go where they are hard to see, such as under arms and between legs")
+    straight: BoolProperty(name="Prefer Straight Lines", default=BALANCED["straight"],
+                           description="Seams run along or across the model rather than at odd angles")
     vertex_group: StringProperty(name="Vertex Group", default="", options={'SKIP_SAVE'},  # other objects have others
-                                 description="Vertex group that says where seams are not wanted, or wanted")
+                                 description="The vertex group that says where seams are wanted or not")
     group_use: EnumProperty(
-        name="Group", default='AVOID', description="What the weights of the vertex group mean",
-        items=[('AVOID', "Avoid", "Seams cost up to ten times their length where the weight is 1"),
-               ('PREFER', "Prefer", "Seams cost down to a tenth of their length where the weight is 1"),
-               ('NEVER', "Never", "No seam on an edge with a weight of at least 0.5 at both ends")])
+        name="Group", default='AVOID', description="What the painted weights mean",
+        items=[('AVOID', "Avoid", "Few seams where the weight is high"),
+               ('PREFER', "Prefer", "Seams rather where the weight is high"),
+               ('NEVER', "Never", "No seam on edges with a weight of at least 0.5 at both ends")])
 
     only_selected: BoolProperty(name="Only Selected Faces", default=True,
-                                description="In edit mode: leave the coordinates of all other faces as they are")
+                                description="In edit mode, leave all other faces as they are")
     is_shared: BoolProperty(
         name="One Layout for All Objects", default=True,
-        description="Several objects share the unit square, at the same scale; otherwise, each has a square of its own")
+        description="Pack the islands of all objects into one square, at the same scale. Otherwise each object has its own")
     scale: EnumProperty(
         name="Scale", default='unit', description="Size of the layout",
-        items=[('unit', "Unit Square", "All charts in the unit square, as large as possible"),
+        items=[('unit', "Fill the Square", "All islands in the square, as large as possible"),
                ('surface', "World", "A unit of the layout is a unit of the world")])
     texture_size: IntProperty(name="Texture Size", default=1024, min=1, soft_min=64, max=65536, subtype='PIXEL',
-                              description="Pixels along a side of the texture, for the margin")
-    margin: FloatProperty(name="Margin", default=2, min=0, soft_max=64, max=16384, precision=1,
-                          description="Pixels between charts, and to the border of the square")
+                              description="Pixels along a side of the texture, in which the margin is measured")
+    margin: FloatProperty(name="Margin", default=4, min=0, soft_max=64, max=16384, precision=1,
+                          description="Pixels between islands, and to the border of the square")
 
     target: EnumProperty(
-        name="Write To", default='ACTIVE', description="Where the coordinates go",
-        items=[('ACTIVE', "Active UV Map", "Replace coordinates in the active UV map; one is added where there is none"),
-               ('NEW', "New UV Map", "Add a UV map and make it the active one")])
-    mark_seams: BoolProperty(name="Mark Seams", default=True, description="Mark the edges along which is cut as seams")
-    clear_seams: BoolProperty(name="Clear Old Seams", default=True,
-                              description="Edges between unwrapped faces along which is not cut are no seams any more")
+        name="Write To", default='ACTIVE', description="Where the layout goes",
+        items=[('ACTIVE', "Active UV Map", "Replace the active UV map; one is added if there is none"),
+               ('NEW', "New UV Map", "Add a UV map and make it the active one"),
+               ('SEAMS', "Seams Only", "Mark seams, and leave all UV maps as they are")])
+    mark_seams: BoolProperty(name="Mark Seams", default=True, description="Mark the edges between islands as seams")
+    clear_seams: BoolProperty(name="Clear Other Seams", default=False,
+                              description="Remove the marks of seams that this layout does not need")
     time_limit: FloatProperty(
         name="Time Limit", default=0, min=0, soft_max=600, max=1e9, precision=1, subtype='TIME_ABSOLUTE', unit='TIME_ABSOLUTE',
-        description="Seconds after which the best result so far is taken; 0 means none")
+        description="Seconds after which the best layout found so far is used; 0 for no limit")
 
     def draw_settings(self, layout, context):
         """All properties, in groups."""
         layout.use_property_split = True
         layout.use_property_decorate = False
-        column = layout.column()
+        self._draw_quality(layout)
+        self._draw_seams(_group(layout, "Seams"), context)
+        self._draw_layout(_group(layout, "Islands"), context)
+        self._draw_result(_group(layout, "Result"))
+
+    def _draw_quality(self, column):
+        column.prop(self, "preset")
+        row = column.row(heading="Limit Stretch")
+        row.prop(self, "limits_stretch", text="")
+        sub = row.row()
+        sub.active = self.limits_stretch
+        sub.prop(self, "stretch", text="")
         column.prop(self, "effort")
         column.prop(self, "time_limit")
-        row = column.row(heading="Bound the Distortion")
-        row.prop(self, "has_bound", text="")
-        sub = row.row()
-        sub.active = self.has_bound
-        sub.prop(self, "bound", text="")
-        column.prop(self, "may_overlap")
 
-        column = layout.column(heading="Where to Cut")
+    def _draw_seams(self, column, context):
         column.prop(self, "marked_seams")
-        for name in ("sharp", "marked_sharp", "hidden", "straight"):
+        row = column.row(heading="At Hard Edges")
+        row.prop(self, "cut_sharp", text="")
+        sub = row.row()
+        sub.active = self.cut_sharp
+        sub.prop(self, "sharp_angle", text="")
+        for name in ("cut_marked_sharp", "sharp", "marked_sharp", "hidden", "straight"):
             column.prop(self, name)
         if context.object is not None:
             column.prop_search(self, "vertex_group", context.object, "vertex_groups")
@@ -93,17 +134,23 @@ class UnwrapSettings:
         sub.active = bool(self.vertex_group)
         sub.prop(self, "group_use", text="Seams There")
 
-        column = layout.column(heading="Layout")
+    def _draw_layout(self, column, context):
         if context.mode == 'EDIT_MESH':
             column.prop(self, "only_selected")
-        column.prop(self, "is_shared")
-        column.prop(self, "scale")
-        column.prop(self, "texture_size")
-        column.prop(self, "margin")
+        for name in ("is_shared", "scale", "texture_size", "margin", "may_overlap"):
+            column.prop(self, name)
 
-        column = layout.column(heading="Result")
+    def _draw_result(self, column):
         column.prop(self, "target")
-        column.prop(self, "mark_seams")
         sub = column.column()
-        sub.active = self.mark_seams
+        sub.active = self.target != 'SEAMS'
+        sub.prop(self, "mark_seams")
+        sub = column.column()
+        sub.active = self.mark_seams or self.target == 'SEAMS'
         sub.prop(self, "clear_seams")
+
+
+def _group(layout, title):
+    box = layout.box()
+    box.label(text=title)
+    return box.column()

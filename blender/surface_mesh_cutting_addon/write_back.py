@@ -15,7 +15,7 @@ MAXIMUM_LAYERS = 8  # a limit of Blender
 
 def has_place(mesh, target):
     """Whether the mesh can take the UV map."""
-    return target == 'ACTIVE' or len(mesh.uv_layers) < MAXIMUM_LAYERS
+    return target != 'NEW' or len(mesh.uv_layers) < MAXIMUM_LAYERS
 
 
 def _make_layer(mesh, target):
@@ -60,15 +60,16 @@ def _seams(part, is_cut, may_clear):
 
 
 def write_result(result, settings):
-    """Writes the layout of a result into the UV maps of its meshes, and its cut into their seams."""
+    """Writes the layout of a result into the UV maps of its meshes, its cut into their seams, or one of both."""
     surface = result.surface
     for i, part in enumerate(surface.parts):
         mesh = part.object.data
         uvs = result.corner_uvs[surface.first_corners[i]:surface.first_corners[i + 1]]
         is_cut = result.is_cut[surface.first_edges[i]:surface.first_edges[i + 1]]
-        _make_layer(mesh, settings.target)
-        (_write_uvs_in_edit_mode if mesh.is_editmode else _write_uvs)(mesh, part, uvs)
-        if settings.mark_seams:
+        if settings.target != 'SEAMS':
+            _make_layer(mesh, settings.target)
+            (_write_uvs_in_edit_mode if mesh.is_editmode else _write_uvs)(mesh, part, uvs)
+        if settings.mark_seams or settings.target == 'SEAMS':
             is_seam = _seams(part, is_cut, settings.clear_seams)
             (_write_seams_in_edit_mode if mesh.is_editmode else _write_seams)(mesh, part, is_seam)
         if mesh.is_editmode:

@@ -40,6 +40,11 @@ def unwrap(**settings):
     return operator('EXEC_DEFAULT', True, **{**defaults, **settings})
 
 
+def unwrap_anew(**settings):
+    """The same, without regard to seams of calls before."""
+    return unwrap(**{"marked_seams": 'IGNORE', "clear_seams": True, **settings})
+
+
 # ------------------------------------------------------------------------------------------------------------- meshes
 
 def add_monkey():
@@ -179,8 +184,9 @@ class Reference:
             (folder / "mesh.obj").write_text("\n".join(lines) + "\n")
             if edges is not None:
                 (folder / "edges").write_text("\n\n" + " ".join(f"{a} {b}" for a, b in edges) + "\n")
+            margin = [] if "--margin" in arguments else ["--margin", "4"]  # the add-on's default
             run = subprocess.run([PROGRAM, "mesh.obj", "-o", "out.obj", "--obj-cut", "cut.obj", "--json", "report.json",
-                                  *arguments], cwd=folder, check=False, capture_output=True, timeout=TIME_LIMIT)
+                                  *margin, *arguments], cwd=folder, check=False, capture_output=True, timeout=TIME_LIMIT)
             assert run.returncode in (0, 7), run.stderr
             self.report = json.loads((folder / "report.json").read_text())
             self._read_layout((folder / "out.obj").read_text())

@@ -3,7 +3,7 @@
 
 import bpy
 
-from support import Case, add_monkey, add_sphere, select, set_mode, snapshot, unwrap
+from support import Case, add_monkey, add_sphere, select, set_mode, snapshot, unwrap_anew
 
 
 def decorate(object):
@@ -63,7 +63,7 @@ class Untouched(Case):
                 self.in_mode(mode, lambda: None)  # a visit of edit mode may change normals
                 self.object.data.edges.foreach_set("use_seam", [i % 5 == 0 for i in range(len(self.object.data.edges))])
                 before = snapshot(self.object)
-                self.in_mode(mode, lambda: unwrap(only_selected=False, margin=5 if mode == 'EDIT' else 2))
+                self.in_mode(mode, lambda: unwrap_anew(only_selected=False, margin=5 if mode == 'EDIT' else 2))
                 after = snapshot(self.object)
                 self.assert_same(before, after, *CHANGED)
                 self.assertNotEqual(before["uv", "Second"], after["uv", "Second"])
@@ -81,7 +81,7 @@ class Untouched(Case):
                     before = snapshot(self.object)
                     set_mode(mode)
                     bpy.ops.ed.undo_push(message="Before")
-                    unwrap(target=target, only_selected=False)
+                    unwrap_anew(target=target, only_selected=False)
                     bpy.ops.ed.undo()
                     self.object = bpy.data.objects[name]
                     self.assertEqual(self.object.mode, mode)
@@ -94,7 +94,7 @@ class Untouched(Case):
         select(self.object, other)
         before = [snapshot(each) for each in (self.object, other)]
         bpy.ops.ed.undo_push(message="Before")
-        unwrap()
+        unwrap_anew()
         bpy.ops.ed.undo()
         for name, data in zip(names, before):
             self.assert_same(data, snapshot(bpy.data.objects[name]))
