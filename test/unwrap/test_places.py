@@ -166,6 +166,24 @@ class Places(Case):
         self.write("a.obj", "former")
         (self.folder / "a.obj").chmod(0o444)
         self.assertIn("Permission denied", self.assert_untouched("cow.off", "-o", "a.obj", **as_nobody()))
+        self.assertIn("read-only", self.assert_untouched("cow.off", "-o", "a.obj"))
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can give files away")
+    def test_owner(self):
+        self.write("a.obj", "former")
+        (self.folder / "a.obj").chmod(0o600)
+        os.chown(self.folder / "a.obj", 65534, 65534)
+        self.assertEqual(self.unwrap("cow.off", "-o", "a.obj").returncode, 0)
+        status = (self.folder / "a.obj").stat()
+        self.assertEqual((status.st_uid, status.st_gid, stat.S_IMODE(status.st_mode)), (65534, 65534, 0o600))
+        self.assertTrue((self.folder / "a.obj").read_text().startswith("v "))
+        # Who may not give files away has one of his own, with the same permissions.
+        self.folder.chmod(0o777)
+        (self.folder / "a.obj").chmod(0o666)
+        os.chown(self.folder / "a.obj", 0, 0)
+        self.assertEqual(self.unwrap("cow.off", "-o", "a.obj", **as_nobody()).returncode, 0)
+        status = (self.folder / "a.obj").stat()
+        self.assertEqual((status.st_uid, stat.S_IMODE(status.st_mode)), (65534, 0o666))
 
     @unittest.skipUnless(os.geteuid() == 0, "needs another user than the owner")
     def test_reason_why_a_file_cannot_be_read(self):

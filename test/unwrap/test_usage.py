@@ -83,6 +83,42 @@ class Usage(Case):
         self.assertEqual(self.unwrap("sphere.off", "--json", "missing/file").returncode, 2)
         self.assertEqual(self.files(), ["folder", "sphere.off"])
 
+    def test_endings_of_outputs(self):
+        """A file is what its name says."""
+        for name in ("a.fbx", "a.dae", "a.stl", "a.off", "a.obj.zip", "a.Txt"):
+            message = self.assert_usage("sphere.off", "-o", name)["message"]
+            for ending in (".obj", ".glb", ".ply"):
+                self.assertIn(ending, message)
+        for option, name in (("--texture", "a.jpg"), ("--texture", "a.txt"), ("--svg", "a.jpg"), ("--svg", "a.PNG"),
+                             ("--html", "a.svg"), ("--obj-cut", "a.ply")):
+            with self.subTest(option=option, name=name):
+                self.assertIn(name, self.assert_usage("sphere.off", option, name)["message"])
+        self.assertEqual(self.unwrap("sphere.off", "--json", "a.obj").returncode, 2)
+        self.assertEqual(self.files(), ["sphere.off"])
+        self.assertEqual(self.unwrap("sphere.off", "-o", "a", "--svg", "b", "--json", "c.txt", "--obj-cut", "d",
+                                     "--texture", "e.PNG").returncode, 0)
+        self.assertEqual(self.files(), ["a", "a.mtl", "b", "c.txt", "d", "e.PNG", "sphere.off"])
+        for name in ("b.GLB", "b.Ply", "b.OBJ"):
+            self.assertEqual(self.unwrap("sphere.off", "-o", name).returncode, 0)
+        starts = [(self.folder / name).read_bytes()[:4] for name in ("a", "b.GLB", "b.Ply", "b.OBJ")]
+        self.assertEqual(starts, [b"mtll", b"glTF", b"ply\n", b"v 1 "])
+
+    def test_messages_do_not_control_the_terminal(self):
+        for name in ("a\x1b[31m.off", "a\r\n.off", "a\x9b2J.off", "a\u202egnp.off"):
+            for make in (True, False):
+                with self.subTest(name=name, make=make):
+                    if make:
+                        self.write(name, to_off(sphere(1)))
+                    run = self.unwrap(name, "-o", "out.obj")
+                    self.assertEqual(run.returncode, 0 if make else 3)
+                    text = run.stderr.decode()
+                    self.assertFalse([c for c in text if c != "\n" and (ord(c) < 32 or 126 < ord(c) < 160 or c == "\u202e")])
+                    self.assertEqual(text.count("\n"), 2 if make else 1)
+                    if make:
+                        (self.folder / name).unlink()
+        self.write("a.obj", "x\x1b[31m 1\n" + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.assertNotIn(b"\x1b", self.unwrap("a.obj", "--b\x1b[31m").stderr + self.unwrap("a.obj").stderr)
+
     def test_one_file_for_two_outputs(self):
         self.assert_usage("sphere.off", "-o", "a.obj", "--svg", "./a.obj")
         self.assert_usage("sphere.off", "-o", "a.obj", "--texture", "a.mtl")

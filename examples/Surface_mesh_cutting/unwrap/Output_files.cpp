@@ -84,12 +84,19 @@ void write_stream(const Output_place& place, const std::string& content)
     fail_to_write(place.path, std::strerror(errno));
 }
 
-// With the permissions of the file that it will replace.
+// With the permissions of the file that it will replace and, as far as the user may give files away, with its owner.
 void write_file(Descriptor& file, const std::string& content, const fs::path& place)
 {
   struct stat former = {};
-  if(stat(place.c_str(), &former) == 0 && fchmod(file.number(), former.st_mode & 0777) != 0)
-    fail_to_write(place, std::strerror(errno));
+  if(stat(place.c_str(), &former) == 0)
+  {
+    constexpr uid_t same_user = uid_t(-1);
+    if(fchown(file.number(), former.st_uid, former.st_gid) != 0
+       && fchown(file.number(), same_user, former.st_gid) != 0 && errno != EPERM && errno != ENOSYS)
+      fail_to_write(place, std::strerror(errno));
+    if(fchmod(file.number(), former.st_mode & 0777) != 0)
+      fail_to_write(place, std::strerror(errno));
+  }
   write_to(file.number(), content, most_for_files, place);
   if(!file.close())
     fail_to_write(place, std::strerror(errno));

@@ -76,10 +76,18 @@ bool is_kept_by_sticky_folder(const fs::path& path)
   return (folder.st_mode & S_ISVTX) != 0 && user != 0 && user != folder.st_uid && user != file.st_uid;
 }
 
+bool is_read_only(const fs::path& path)
+{
+  struct stat file = {};
+  return stat(path.c_str(), &file) == 0 && (file.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
+}
+
 void check_existing_file(const fs::path& path)
 {
   if(faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
     fail_to_write(path, std::strerror(errno));
+  if(is_read_only(path)) // which does not stop root
+    fail_to_write(path, "it is read-only");
   if(is_mount_point(path))
     fail_to_write(path, "it is a mount point, which cannot be replaced");
   if(is_kept_by_sticky_folder(path))

@@ -4,6 +4,7 @@
 #include "html_writer.h"
 #include "json_report.h"
 #include "outcome.h"
+#include "output_names.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -19,6 +20,7 @@ struct Named_output
 {
   std::string name;
   Output_place place;
+  Output_format format;
   std::optional<Output_place>* decision; // where the place goes if it is a good one
 };
 
@@ -31,27 +33,31 @@ Output_place find_place_of_report(const std::string& name)
 std::vector<Named_output> find_places(const Options& options, Output_places& places)
 {
   std::vector<Named_output> outputs;
-  const auto add = [&](const std::string& name, std::optional<Output_place>& decision)
+  const auto add = [&](const std::string& name, Output_format format, std::optional<Output_place>& decision)
   {
     if(!name.empty())
-      outputs.push_back({name, find_output_place(name), &decision});
+      outputs.push_back({name, find_output_place(name), format, &decision});
   };
   if(!options.json.empty())
-    outputs.push_back({options.json, find_place_of_report(options.json), &places.report});
-  add(options.output, places.mesh);
-  if(!options.texture.empty() && !is_glb(options.output) && !is_ply(options.output)) // only OBJ needs another file
-    add(fs::path(options.output).replace_extension(".mtl").string(), places.material);
-  add(options.texture, places.texture);
-  add(options.svg, places.picture);
-  add(options.html, places.page);
-  add(options.obj_cut, places.cut);
+    outputs.push_back({options.json, find_place_of_report(options.json), Output_format::REPORT, &places.report});
+  add(options.output, Output_format::MESH, places.mesh);
+  if(!options.texture.empty() && is_obj(options.output)) // only OBJ needs another file
+    add(material_path(options), Output_format::MATERIAL, places.material);
+  add(options.texture, Output_format::IMAGE, places.texture);
+  add(options.svg, Output_format::PICTURE, places.picture);
+  add(options.html, Output_format::PAGE, places.page);
+  add(options.obj_cut, Output_format::LINES, places.cut);
   return outputs;
 }
 
 std::vector<std::string> inputs_of(const Options& options)
 {
   std::vector<std::string> inputs = constraint_files(options);
-  inputs.push_back(options.input);
+  std::error_code error;
+  if(options.input != standard_input)
+    inputs.push_back(options.input);
+  else if(const fs::path file = "/dev/stdin"; fs::is_regular_file(file, error))
+    inputs.push_back(file.string());
   return inputs;
 }
 
@@ -85,9 +91,12 @@ void decide_places(const Options& options, Output_places& places)
     if(std::any_of(inputs.begin(), inputs.end(), is_replaced)
        || std::any_of(outputs.begin(), outputs.end(), is_in_the_way))
       throw Failure(Exit_code::USAGE, output.name + " would be written twice or replace an input");
+    if(const std::string wrong = find_wrong_ending(output.name, output.format); !wrong.empty())
+      throw Failure(Exit_code::USAGE, wrong);
     check_output_place(output.place);
     *output.decision = output.place;
   }
+  check_image_can_be_named(options);
   if(places.material && places.mesh->kind != Output_place::Kind::REGULAR_FILE)
     throw Failure(Exit_code::USAGE, options.output + " is not a file, so the material of --texture cannot be written beside it");
 }

@@ -9,10 +9,7 @@
 // `Exit_code::STOPPED`.
 std::string read_bytes(const std::string& path);
 
-// The input of this name is the standard input.
-inline const std::string standard_input = "-";
-
-// To its end. The same failures.
+// The standard input, to its end. The same failures.
 std::string read_standard_input();
 
 #endif // UNWRAP_FILE_BYTES_H

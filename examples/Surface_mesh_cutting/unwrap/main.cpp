@@ -5,12 +5,17 @@
 #include "outputs.h"
 #include "reuse_memory.h"
 #include "stop_request.h"
+#include "terminal_text.h"
 #include "unwrap_file.h"
 
 #include <csignal>
 #include <iostream>
+#include <sstream>
+#include <string>
 
 namespace {
+
+void tell(const std::string& text) { std::cerr << for_terminal(text) << "\n"; }
 
 void report_failure(const Output_places& places, const Outcome& outcome)
 {
@@ -21,7 +26,7 @@ void report_failure(const Output_places& places, const Outcome& outcome)
   catch(const Failure& failure)
   {
     if(failure.what() != outcome.message) // or else that is told already
-      std::cerr << "unwrap: " << failure.what() << "\n";
+      tell(std::string("unwrap: ") + failure.what());
   }
 }
 
@@ -43,18 +48,19 @@ Outcome refuse(const Command_line& command_line, Output_places& places)
 void print_messages(const Options& options, const Outcome& outcome)
 {
   for(const std::string& warning : outcome.warnings)
-    std::cerr << "unwrap: warning: " << warning << "\n";
-  if(outcome.exit_code == Exit_code::DONE)
+    tell("unwrap: warning: " + warning);
+  const std::string input = name_of_input(options.input) + ": ";
+  if(outcome.exit_code != Exit_code::DONE)
   {
-    if(!options.is_quiet)
-      std::cerr << options.input << ": " << outcome.message << ", " << outcome.seconds.total.value_or(0) << " s\n"
-                << "written to " << options.output << "\n";
+    tell("unwrap: " + (outcome.exit_code != Exit_code::USAGE ? input : "") + outcome.message);
     return;
   }
-  std::cerr << "unwrap: ";
-  if(outcome.exit_code != Exit_code::USAGE)
-    std::cerr << options.input << ": ";
-  std::cerr << outcome.message << "\n";
+  if(options.is_quiet)
+    return;
+  std::ostringstream seconds;
+  seconds << outcome.seconds.total.value_or(0);
+  tell(input + outcome.message + ", " + seconds.str() + " s");
+  tell("written to " + options.output);
 }
 
 } // namespace

@@ -15,6 +15,12 @@
 #include <string>
 #include <string_view>
 
+// The input of this name is the standard input.
+inline const std::string standard_input = "-";
+
+// How the input is called in messages and in names of outputs.
+inline std::string name_of_input(const std::string& path) { return path == standard_input ? "stdin" : path; }
+
 // What to read besides points and polygons, where the format has it.
 struct Attributes
 {

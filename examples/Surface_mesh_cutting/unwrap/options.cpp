@@ -333,7 +333,7 @@ void complete(Options& options)
   if(options.uv_scale == "unit" && !(2 * options.margin < options.texture_size))
     refuse("--margin must be less than half of --texture-size");
   if(options.output.empty())
-    options.output = std::filesystem::path(options.input).stem().string() + ".uv.obj";
+    options.output = std::filesystem::path(name_of_input(options.input)).stem().string() + ".uv.obj";
 }
 
 } // namespace
@@ -371,7 +371,7 @@ Command_line parse_command_line(int argc, char** argv)
   CLI::App app(description, "unwrap");
   app.footer(footer);
   app.set_version_flag("--version", "unwrap (CGAL " CGAL_VERSION_STR ")");
-  app.add_option("INPUT", options.input, "Mesh file")->type_name("")->required();
+  app.add_option("INPUT", options.input, "Mesh file; - is the standard input")->type_name("")->required();
   add_input_options(app, options);
   add_output_options(app, options);
   add_method_options(app, options);

@@ -7,6 +7,7 @@
 #include "html_writer.h"
 #include "json_report.h"
 #include "obj_writer.h"
+#include "output_names.h"
 #include "ply_writer.h"
 #include "svg_writer.h"
 #include "texture.h"
@@ -16,20 +17,9 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-
-// The image's name as seen from the folder of the mesh, where the material is, too; empty without one.
-std::string image_from_mesh(const Options& options)
-{
-  if(options.texture.empty())
-    return "";
-  const fs::path folder = fs::absolute(options.output).parent_path();
-  return fs::absolute(options.texture).lexically_relative(folder).generic_string();
-}
-
 std::string material_file_name(const Output_places& places, const Options& options)
 {
-  return places.material ? fs::path(options.output).replace_extension(".mtl").filename().string() : "";
+  return places.material ? std::filesystem::path(material_path(options)).filename().string() : "";
 }
 
 Data_kinds written_kinds(const Options& options, const Layout& layout)
@@ -41,9 +31,14 @@ Data_kinds written_kinds(const Options& options, const Layout& layout)
 
 } // namespace
 
-std::string list_lost_data(const Options& options, const Layout& layout)
+std::vector<std::string> warnings_about_outputs(const Options& options, const Output_places& places, const Layout& layout)
 {
-  return list_lost(layout.kinds, written_kinds(options, layout));
+  std::vector<std::string> warnings;
+  if(const std::string lost = list_lost(layout.kinds, written_kinds(options, layout)); !lost.empty())
+    warnings.push_back("these data of the input are not in " + options.output + ": " + lost);
+  if(places.material && is_material_renamed(options))
+    warnings.push_back("the material of --texture is in " + material_path(options) + ", as OBJ cannot refer to another name");
+  return warnings;
 }
 
 void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome)

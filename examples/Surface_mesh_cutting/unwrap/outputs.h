@@ -8,12 +8,15 @@
 #include "options.h"
 #include "outcome.h"
 
+#include <string>
+#include <vector>
+
 // Writes all that is asked for. If that fails, throws a `Failure` with `Exit_code::USAGE` or
 // `Exit_code::STOPPED` and leaves no file.
 void write_outputs(const Options& options, const Output_places& places, const Layout& layout, const Outcome& outcome);
 
-// What of the input's data is not in the mesh that `write_outputs` writes, as words between commas.
-std::string list_lost_data(const Options& options, const Layout& layout);
+// What of the input is lost by `write_outputs`, and which file has another name than expected.
+std::vector<std::string> warnings_about_outputs(const Options& options, const Output_places& places, const Layout& layout);
 
 // Writes the report alone, if it has a place.
 void write_report(const Output_places& places, const Outcome& outcome);

@@ -38,8 +38,8 @@ void unwrap_file(const Options& options, Output_places& places, Outcome& outcome
   const Layout layout = unwrap_soup(soup, options, outcome);
   if(!outcome.has_result)
     return;
-  if(const std::string lost = list_lost_data(options, layout); !lost.empty())
-    outcome.warnings.push_back("these data of the input are not in " + options.output + ": " + lost);
+  for(const std::string& warning : warnings_about_outputs(options, places, layout))
+    outcome.warnings.push_back(warning);
   write_outputs(options, places, layout, outcome);
 }
 
