@@ -15,8 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
@@ -54,7 +53,7 @@ public:
   // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat. `ranks`: see
   // `Newton_system`.
   Chart_parameterizer(const Corner_table& chart, std::vector<Eigen::Vector3d> points,
-                      const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                      const std::vector<Rest_shape>& shapes, const Solvers& linear_solvers,
                       std::vector<int> ranks = {})
     : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
       m_linear_solvers(linear_solvers), m_ranks(std::move(ranks))
@@ -120,7 +119,7 @@ private:
   {
     bool is_mapped = false;
     const auto map = [&] { is_mapped = first_map_found<Energy>(uv, options, first_map); };
-    if(m_linear_solvers.execution() == Execution::PARALLEL)
+    if(m_linear_solvers.execution == Execution::PARALLEL)
       execute_both(Execution::PARALLEL, map, [&] { solver(); });
     else // then its memory is not needed yet
       map();
@@ -144,7 +143,7 @@ private:
   std::vector<Eigen::Vector3d> m_points;
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
-  const Linear_solver_source& m_linear_solvers;
+  const Solvers& m_linear_solvers;
   const std::vector<int> m_ranks;
   std::unique_ptr<Newton_solver> m_solver;
 };

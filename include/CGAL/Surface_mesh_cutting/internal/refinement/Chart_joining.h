@@ -26,7 +26,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
@@ -71,7 +71,7 @@ public:
   {
     const Connected_parts parts = current_parts();
     std::vector<Joint> joints = first_joints(parts);
-    execute(m_context.parameters.linear_solvers->execution(), int(joints.size()), [&](int i) { try_joint(joints[i]); });
+    execute(m_context.parameters.linear_solvers->execution, int(joints.size()), [&](int i) { try_joint(joints[i]); });
     for(const Joint& joint : joints)
       m_number_of_solved_faces += joint.number_of_solved_faces;
     const auto pays = [&](const Joint& joint)
