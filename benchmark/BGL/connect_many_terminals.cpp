@@ -13,11 +13,7 @@
 
 namespace Core = CGAL::internal::Steiner_tree;
 
-#ifdef CGAL_LINKED_WITH_TBB
-typedef CGAL::Parallel_tag Concurrency_tag;
-#else
-typedef CGAL::Sequential_tag Concurrency_tag;
-#endif
+const Core::Execution execution = CGAL::internal::Graph_kernel::execution_of<CGAL::Parallel_if_available_tag>();
 
 const char* name(Core::Method method)
 {
@@ -45,7 +41,7 @@ int main(int argc, char** argv)
         timer.start();
         const double start = cpu_seconds();
         const Core::Solution solution =
-          Core::solve<Concurrency_tag>(mesh.graph, terminals, options, [] { return true; });
+          Core::solve(mesh.graph, terminals, options, execution, [] { return true; });
         std::cout << seed << "," << name(method) << ","
                   << solution.tree.length << "," << solution.lower_bound << "," << solution.is_optimal << ","
                   << timer.time() << "," << cpu_seconds() - start << std::endl;

@@ -77,7 +77,7 @@ int main(int argc, char** argv)
           options.method = methods[m];
           options.minimum_length_decrease = decrease * mesh.diagonal;
           const double start = cpu_seconds();
-          solution = Core::solve<CGAL::Sequential_tag>(mesh.graph, terminals, options, [] { return true; });
+          solution = Core::solve(mesh.graph, terminals, options, Core::Execution::SEQUENTIAL, [] { return true; });
           times[m] = cpu_seconds() - start;
           lengths[m] = solution.tree.length;
           seconds[m].values.push_back(times[m]);

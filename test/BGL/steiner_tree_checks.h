@@ -51,7 +51,7 @@ inline Core::Solution solve(const Core::Csr_graph& graph, const std::vector<int>
   Core::Options options;
   options.method = method;
   options.minimum_length_decrease = minimum_length_decrease;
-  return Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; });
+  return Core::solve(graph, terminals, options, Core::Execution::SEQUENTIAL, [] { return true; });
 }
 
 inline std::vector<int> all_edges(const Core::Csr_graph& graph)
@@ -70,7 +70,7 @@ inline void check_known_tree(const Core::Csr_graph& graph, const std::vector<int
   for(std::size_t states : {options.maximum_number_of_states, std::size_t(0)}) {
     options.maximum_number_of_states = states;
     const Core::Solution solution
-      = Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; }, known);
+      = Core::solve(graph, terminals, options, Core::Execution::SEQUENTIAL, [] { return true; }, known);
     check_tree(graph, terminals, solution.tree);
     CHECK(solution.tree.length <= known_length * (1. + 1e-9));
     CHECK(solution.tree.length >= optimum * (1. - 1e-9));
@@ -104,7 +104,7 @@ inline void check_all_methods(const Core::Csr_graph& graph, const std::vector<in
   // without any state left, what the other parts of the exact solver find is a tree and a bound
   Core::Options options;
   options.maximum_number_of_states = 0;
-  const Core::Solution solution = Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; });
+  const Core::Solution solution = Core::solve(graph, terminals, options, Core::Execution::SEQUENTIAL, [] { return true; });
   check_tree(graph, terminals, solution.tree);
   CHECK(solution.tree.length >= optimum * (1. - 1e-9));
   CHECK(solution.lower_bound <= optimum * (1. + 1e-9));
@@ -114,7 +114,7 @@ inline void check_all_methods(const Core::Csr_graph& graph, const std::vector<in
   // where there are too many terminals for the exact solver, near points find a tree
   options.maximum_number_of_terminals = 0;
   options.maximum_number_of_states = 10000;
-  const Core::Solution near = Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [] { return true; });
+  const Core::Solution near = Core::solve(graph, terminals, options, Core::Execution::SEQUENTIAL, [] { return true; });
   check_tree(graph, terminals, near.tree);
   CHECK(near.tree.length >= optimum * (1. - 1e-9));
   CHECK(near.tree.length <= 2. * optimum * (1. + 1e-9));

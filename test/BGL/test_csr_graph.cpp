@@ -1,18 +1,16 @@
-// The flat graph as a model of Boost's graph concepts; shortest paths, spanning trees and disjoint sets against Boost's
-// algorithms, buckets against lists, and the public call on it.
+// Shortest paths, spanning trees and disjoint sets of the flat graph against Boost's algorithms on adjacency lists, which
+// the public call gets, too; buckets and index sets against lists.
 
 #include "steiner_tree_checks.h"
 
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
-#include <boost/concept/assert.hpp>
+#include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/graph/graph_concepts.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 
 #include <iterator>
@@ -20,12 +18,17 @@
 #include <set>
 
 using Core::Csr_graph;
-typedef boost::graph_traits<Csr_graph>::edge_descriptor Descriptor;
+typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                              boost::property<boost::edge_weight_t, double>> Lists;
+typedef boost::graph_traits<Lists>::edge_descriptor Descriptor;
 
-BOOST_CONCEPT_ASSERT((boost::concepts::VertexListGraph<Csr_graph>));
-BOOST_CONCEPT_ASSERT((boost::concepts::IncidenceGraph<Csr_graph>));
-BOOST_CONCEPT_ASSERT((boost::concepts::EdgeListGraph<Csr_graph>));
-BOOST_CONCEPT_ASSERT((boost::concepts::ReadablePropertyGraph<Csr_graph, Descriptor, boost::edge_weight_t>));
+Lists adjacency_lists(const Csr_graph& graph)
+{
+  Lists result(std::size_t(graph.number_of_vertices()));
+  for(const Core::Edge& e : graph.edges)
+    add_edge(std::size_t(e.source), std::size_t(e.target), e.weight, result);
+  return result;
+}
 
 Csr_graph random_graph(CGAL::Random& random)
 {
@@ -36,11 +39,11 @@ Csr_graph random_graph(CGAL::Random& random)
   return Csr_graph(n, edges);
 }
 
-void test_shortest_paths(const Csr_graph& graph, int source)
+void test_shortest_paths(const Csr_graph& graph, const Lists& lists, int source)
 {
   std::vector<double> expected(graph.number_of_vertices());
-  boost::dijkstra_shortest_paths(graph, source, boost::distance_map(expected.data())
-                                                  .distance_inf((std::numeric_limits<double>::infinity)()));
+  boost::dijkstra_shortest_paths(lists, std::size_t(source), boost::distance_map(expected.data())
+                                                                .distance_inf((std::numeric_limits<double>::infinity)()));
   Core::Shortest_paths paths(graph);
   paths.add_source(source);
   paths.run();
@@ -53,13 +56,13 @@ void test_shortest_paths(const Csr_graph& graph, int source)
     }
 }
 
-void test_spanning_forest(const Csr_graph& graph)
+void test_spanning_forest(const Csr_graph& graph, const Lists& lists)
 {
   std::vector<Descriptor> expected;
-  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(expected));
+  boost::kruskal_minimum_spanning_tree(lists, std::back_inserter(expected));
   double length = 0.;
   for(const Descriptor& e : expected)
-    length += get(boost::edge_weight, graph, e);
+    length += get(boost::edge_weight, lists, e);
   std::vector<int> all;
   for(int e = 0; e < graph.number_of_edges(); ++e)
     all.push_back(e);
@@ -69,10 +72,10 @@ void test_spanning_forest(const Csr_graph& graph)
 }
 
 // Components are numbered in the order of their lowest vertices.
-void test_disjoint_sets(const Csr_graph& graph)
+void test_disjoint_sets(const Csr_graph& graph, const Lists& lists)
 {
   std::vector<int> expected(graph.number_of_vertices()), lowest;
-  const int number = boost::connected_components(graph, expected.data());
+  const int number = boost::connected_components(lists, expected.data());
   for(int v = 0; v < graph.number_of_vertices(); ++v)
     if(expected[v] == int(lowest.size()))
       lowest.push_back(v);
@@ -135,15 +138,16 @@ int main()
     test_buckets(random);
     test_index_set(random);
     const Csr_graph graph = random_graph(random);
-    test_shortest_paths(graph, random.get_int(0, graph.number_of_vertices()));
-    test_spanning_forest(graph);
-    test_disjoint_sets(graph);
+    const Lists lists = adjacency_lists(graph);
+    test_shortest_paths(graph, lists, random.get_int(0, graph.number_of_vertices()));
+    test_spanning_forest(graph, lists);
+    test_disjoint_sets(graph, lists);
 
     // terminals may be given several times
     const int s = random.get_int(0, graph.number_of_vertices()), t = random.get_int(0, graph.number_of_vertices());
-    const std::vector<int> terminals{s, t, s};
+    const std::vector<std::size_t> terminals{std::size_t(s), std::size_t(t), std::size_t(s)};
     std::vector<Descriptor> tree;
-    const CGAL::Steiner_tree::Result result = CGAL::steiner_tree(graph, terminals, std::back_inserter(tree));
+    const CGAL::Steiner_tree::Result result = CGAL::steiner_tree(lists, terminals, std::back_inserter(tree));
     Core::Shortest_paths paths(graph);
     paths.add_source(s);
     paths.run();

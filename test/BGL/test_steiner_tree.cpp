@@ -176,11 +176,38 @@ void test_surface_mesh()
   CHECK(CGAL::steiner_tree(mesh, corners, std::back_inserter(tree)).status == ST::Status::TERMINALS_NOT_CONNECTED);
 }
 
+// more than the dynamic program has sets for: a tree no longer than those of the heuristics
+void test_many_terminals()
+{
+  typedef Graph<boost::undirectedS> G;
+  const int side = 60;
+  G graph(side * side);
+  for(int i = 0; i < side; ++i)
+    for(int j = 0; j < side; ++j) {
+      const int v = side * i + j;
+      if(j + 1 < side)
+        add_edge(v, v + 1, 1. + (v * 7 % 11) / 20., graph);
+      if(i + 1 < side)
+        add_edge(v, v + side, 1. + (v * 5 % 13) / 20., graph);
+    }
+  std::vector<boost::graph_traits<G>::vertex_descriptor> terminals;
+  for(int v = 0; v < side * side; v += 11)
+    terminals.push_back(v);
+  CHECK(terminals.size() > 256);
+  std::vector<boost::graph_traits<G>::edge_descriptor> tree, other;
+  const ST::Result best = CGAL::steiner_tree(graph, terminals, std::back_inserter(tree));
+  CHECK(best && tree.size() + 1 >= terminals.size());
+  const ST::Result heuristic = CGAL::steiner_tree(graph, terminals, std::back_inserter(other),
+                                                  params::algorithm(ST::Shortest_path_heuristic_tag()));
+  CHECK(best.length <= heuristic.length);
+}
+
 int main()
 {
   test_star<boost::undirectedS>();
   test_star<boost::bidirectionalS>();
   test_star<boost::directedS>();
   test_surface_mesh();
+  test_many_terminals();
   return EXIT_SUCCESS;
 }

@@ -75,6 +75,22 @@ void check_all_calls(const Core::Csr_graph& graph, const std::vector<int>& termi
   check_call<Best_tag>(graph, terminals, optimum, true);
 }
 
+// the dynamic program with the sets that serve 65 to 256 terminals
+void check_wide_sets(const Core::Csr_graph& graph, const std::vector<int>& terminals, double optimum)
+{
+  if(terminals.size() < 2)
+    return;
+  const Core::Go_further go_further = [] { return true; };
+  const Core::Dual_ascent dual(graph, terminals, 0, Core::Execution::SEQUENTIAL, go_further,
+                               [](const Core::Dual_ascent&) {});
+  const Core::Completion_bound<4> bound(dual);
+  Core::Pruned_dynamic_program<4> program(graph, terminals, bound, optimum * (1. + 1e-9) + 1e-9, 1000000);
+  CHECK(program.run(Core::Execution::SEQUENTIAL, go_further));
+  CHECK(program.has_found_tree());
+  check_tree(graph, terminals, program.tree());
+  CHECK(are_equal(program.tree().length, optimum));
+}
+
 double random_weight(CGAL::Random& random, int kind)
 {
   switch(kind) {
@@ -114,6 +130,7 @@ int main()
       ++number_connected;
       check_all_methods(graph, terminals, terminals.empty() ? 0. : optimum);
       check_all_calls(graph, terminals, terminals.empty() ? 0. : optimum);
+      check_wide_sets(graph, terminals, optimum);
     }
     else
       CHECK(solve(graph, terminals, Core::Method::exact).outcome == Core::Outcome::terminals_not_connected);

@@ -10,7 +10,7 @@ Core::Solution solve_until(int question, const Core::Csr_graph& graph, const std
   Core::Options options;
   options.method = method;
   int number_of_questions = 0;
-  const Core::Solution solution = Core::solve<CGAL::Sequential_tag>(graph, terminals, options, [&] {
+  const Core::Solution solution = Core::solve(graph, terminals, options, Core::Execution::SEQUENTIAL, [&] {
     return ++number_of_questions < question;
   });
   CHECK(number_of_questions >= question);
@@ -54,7 +54,7 @@ int main()
   const double shortest = solve(graph, ends, Core::Method::exact).tree.length;
   CHECK(Core::total_weight(graph, detour) > 1.01 * shortest);
   const auto stopped = [](const Core::Csr_graph& g, const std::vector<int>& t, const std::vector<int>& known_edges) {
-    return Core::solve<CGAL::Sequential_tag>(g, t, Core::Options(), [] { return false; }, known_edges);
+    return Core::solve(g, t, Core::Options(), Core::Execution::SEQUENTIAL, [] { return false; }, known_edges);
   };
   const Core::Solution path = stopped(graph, ends, {});
   CHECK(path.outcome == Core::Outcome::done && path.is_optimal && are_equal(path.tree.length, shortest));

@@ -1,7 +1,7 @@
-// All methods on graphs like those of triangle meshes, against a dynamic programme; then the exact solver with many
+// All methods on graphs like those of triangle meshes, against a dynamic program; then the exact solver with many
 // terminals, where only its own proof and the bounds can be checked.
 
-#include "dynamic_programme.h"
+#include "dynamic_program.h"
 #include "mesh_graphs.h"
 #include "steiner_tree_checks.h"
 

@@ -7,26 +7,26 @@
 #include <tbb/global_control.h>
 #endif
 
-template <typename ConcurrencyTag>
-std::vector<std::vector<int>> trees(const Core::Csr_graph& graph, const std::vector<int>& terminals)
+std::vector<std::vector<int>> trees(const Core::Csr_graph& graph, const std::vector<int>& terminals,
+                                    Core::Execution execution)
 {
   std::vector<std::vector<int>> result;
   for(Core::Method method : {Core::Method::greedy_auxiliary_points, Core::Method::local_search, Core::Method::exact}) {
     Core::Options options;
     options.method = method;
-    result.push_back(Core::solve<ConcurrencyTag>(graph, terminals, options, [] { return true; }).tree.edges);
+    result.push_back(Core::solve(graph, terminals, options, execution, [] { return true; }).tree.edges);
   }
   return result;
 }
 
 void check(const Core::Csr_graph& graph, const std::vector<int>& terminals)
 {
-  const std::vector<std::vector<int>> expected = trees<CGAL::Sequential_tag>(graph, terminals);
-  CHECK(trees<CGAL::Sequential_tag>(graph, terminals) == expected);
+  const std::vector<std::vector<int>> expected = trees(graph, terminals, Core::Execution::SEQUENTIAL);
+  CHECK(trees(graph, terminals, Core::Execution::SEQUENTIAL) == expected);
 #ifdef CGAL_LINKED_WITH_TBB
   for(std::size_t number_of_threads : {1, 2, 3, 8}) {
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-    CHECK(trees<CGAL::Parallel_tag>(graph, terminals) == expected);
+    CHECK(trees(graph, terminals, Core::Execution::PARALLEL) == expected);
   }
 #endif
 }

@@ -14,117 +14,22 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/tags.h>
-
-#include <algorithm>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
-#endif
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// Whether loops may use several threads. Results do not depend on it: each iteration writes to places of its own,
-// and sums have a fixed order.
-enum class Execution { SEQUENTIAL, PARALLEL };
-
-template <typename ConcurrencyTag>
-constexpr Execution execution_of()
-{
-  return std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? Execution::PARALLEL : Execution::SEQUENTIAL;
-}
-
-// How many threads a loop may use here.
-inline int number_of_threads(Execution execution)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if(execution == Execution::PARALLEL)
-    return (std::min)(tbb::this_task_arena::max_concurrency(),
-                      int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
-#endif
-  (void)execution;
-  return 1;
-}
-
-// Calls `f`, within which a thread that waits for others does not take up work from outside, such as a whole
-// component, which would keep it for long.
-template <typename Function>
-void execute_in_isolation(Execution execution, const Function& f)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if(execution == Execution::PARALLEL)
-  {
-    tbb::this_task_arena::isolate(f);
-    return;
-  }
-#endif
-  (void)execution;
-  f();
-}
-
-// Calls `f(i)` for i in 0..size-1.
-template <typename Function>
-void execute(Execution execution, int size, const Function& f)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if(execution == Execution::PARALLEL && size > 1)
-  {
-    execute_in_isolation(execution, [&] { tbb::parallel_for(0, size, f); });
-    return;
-  }
-#endif
-  (void)execution;
-  for(int i = 0; i < size; ++i)
-    f(i);
-}
-
-// Calls both. The thread that is done first helps in the loops of the other one, which isolation would prevent.
-template <typename First, typename Second>
-void execute_both(Execution execution, const First& first, const Second& second)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if(execution == Execution::PARALLEL)
-  {
-    tbb::parallel_invoke(first, second);
-    return;
-  }
-#endif
-  (void)execution;
-  first();
-  second();
-}
-
-// What one thread takes at a time: more than starting it costs.
-constexpr int block_size = 4096;
-
-inline int number_of_blocks(int size, int largest = block_size) { return (size + largest - 1) / largest; }
-
-// Calls `f(begin, end)` for blocks of 0..size-1, of at most `largest`.
-template <typename Function>
-void execute_blocks(Execution execution, int size, const Function& f, int largest = block_size)
-{
-  execute(execution, number_of_blocks(size, largest),
-          [&](int b) { f(b * largest, (std::min)(size, (b + 1) * largest)); });
-}
-
-// The results of `f(begin, end)` for blocks of 0..size-1, reduced in order.
-template <typename T, typename Function, typename Reduce>
-T reduce_blocks(Execution execution, int size, T value, const Function& f, const Reduce& reduce)
-{
-  std::vector<T> parts(number_of_blocks(size), value);
-  execute_blocks(execution, size, [&](int begin, int end) { parts[begin / block_size] = f(begin, end); });
-  for(const T& part : parts)
-    value = reduce(std::move(value), part);
-  return value;
-}
+using CGAL::internal::Graph_kernel::Execution;
+using CGAL::internal::Graph_kernel::block_size;
+using CGAL::internal::Graph_kernel::execute;
+using CGAL::internal::Graph_kernel::execute_blocks;
+using CGAL::internal::Graph_kernel::execute_both;
+using CGAL::internal::Graph_kernel::execute_in_isolation;
+using CGAL::internal::Graph_kernel::execution_of;
+using CGAL::internal::Graph_kernel::number_of_blocks;
+using CGAL::internal::Graph_kernel::number_of_threads;
+using CGAL::internal::Graph_kernel::reduce_blocks;
 
 } // namespace internal
 } // namespace Surface_mesh_parameterization

@@ -14,12 +14,13 @@
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/metric_closure_of_graph.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,8 @@ struct Exact_tag
 
 /// a shortest tree if `maximum_number_of_states` suffices to find and to prove it, otherwise the best tree found, with a
 /// lower bound: by local search over auxiliary points or, in large graphs, by searching corridors around good trees.
-/// The default
+/// Beyond 256 terminals, which the dynamic program does not serve, by local search over auxiliary points near the
+/// terminals, in \f$ O(m \log n) \f$ time for each round. The default
 struct Best_tag
 {
 /// \cond SKIP_IN_MANUAL
@@ -283,16 +285,27 @@ Steiner_tree::Result steiner_tree(const Graph& graph,
   }
   const Core::Csr_graph indexed_graph(number_of_vertices, std::move(indexed_edges));
 
+  std::vector<vertex_descriptor> different_terminals;
   std::vector<int> indexed_terminals;
   std::vector<char> is_terminal(number_of_vertices, 0);
   for(vertex_descriptor v : terminals)
     if(!is_terminal[number_of(v)]) {
       is_terminal[number_of(v)] = 1;
+      different_terminals.push_back(v);
       indexed_terminals.push_back(number_of(v));
     }
 
-  const Core::Solution solution = Core::solve<ConcurrencyTag>(indexed_graph, indexed_terminals, options,
-                                                              [&] { return bool(visitor.go_further()); });
+  const auto go_further = [&] { return bool(visitor.go_further()); };
+  Core::Solution solution;
+  if constexpr(Method_tag::method == Core::Method::metric_closure && Core::is_searched_by_boost<Graph>()) {
+    const auto weight_of = [&](edge_descriptor e) { return CGAL::to_double(get(weight, e)); };
+    solution = Core::solve_on_graph(graph, different_terminals, boost::make_function_property_map<edge_descriptor>(weight_of),
+                                    boost::make_function_property_map<vertex_descriptor>(number_of), indexed_graph,
+                                    indexed_terminals, go_further);
+  }
+  else
+    solution = Core::solve(indexed_graph, indexed_terminals, options,
+                           internal::Graph_kernel::execution_of<ConcurrencyTag>(), go_further);
   switch(solution.outcome) {
   case Core::Outcome::done:
     break;

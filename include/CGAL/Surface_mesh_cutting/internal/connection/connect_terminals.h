@@ -82,8 +82,9 @@ public:
     if(!m_result.status)
       return m_result;
     for(const Part& part : parts)
-      add_tree(part, CGAL::internal::Steiner_tree::solve<ConcurrencyTag>(part.graph, part.terminals, options, go_further,
-                                                                         connecting_edges(part, known)));
+      add_tree(part, CGAL::internal::Steiner_tree::solve(part.graph, part.terminals, options,
+                                                         CGAL::internal::Graph_kernel::execution_of<ConcurrencyTag>(),
+                                                         go_further, connecting_edges(part, known)));
     lengthen_short_borders();
     return m_result;
   }

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Visibility.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <utility>
 
@@ -33,7 +33,7 @@ std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const
     return std::nullopt;
   const Visibility visibility(mesh, view);
   std::vector<double> result(mesh.number_of_edges());
-  CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(mesh.number_of_edges(), [&](int e) {
+  execute(execution_of<ConcurrencyTag>(), mesh.number_of_edges(), [&](int e) {
     if(e % edges_per_question == 0)
       control.go_further();
     if(!control.is_stopped())

@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packed_charts.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ private:
   {
     const int number = int(m_outlines.size()) <= several ? 8 : int(m_outlines.size()) <= many ? 4 : 2;
     m_turns.resize(m_outlines.size());
-    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_outlines.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(m_outlines.size()), [&](int i)
     {
       const double first = smallest_box_angle(m_outlines[i]);
       // Quarter turns come first, that with the chart lying on its side before that with it upright.
@@ -216,7 +216,7 @@ private:
   {
     std::vector<std::optional<Rigid_chart> > built(m_outlines.size());
     const double reach = Off_grid_growth::reach(m_margin, m_best->scale);
-    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_outlines.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(m_outlines.size()), [&](int i)
     { built[i].emplace(simplified_outline(m_outlines[i].segments, Off_grid_growth::tolerance), reach); });
     std::vector<Rigid_chart> charts;
     for(std::optional<Rigid_chart>& chart : built)
@@ -234,7 +234,7 @@ private:
       = chart_masks<ConcurrencyTag>(m_outlines, m_turns, scale * resolution, m_margin * resolution);
     using Places = std::optional<std::vector<Grid_place> >;
     std::vector<Places> found(m_strategies.size());
-    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(m_strategies.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(m_strategies.size()), [&](int i)
     {
       if(!m_best || m_control.go_further())
         found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i]);

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Free_cells.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ std::vector<Chart_masks> chart_masks(const std::vector<Chart_outline>& outlines,
                                      double factor, double margin)
 {
   std::vector<Chart_masks> masks(outlines.size());
-  CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(outlines.size()), [&](int i)
+  execute(execution_of<ConcurrencyTag>(), int(outlines.size()), [&](int i)
   {
     masks[i].reserve(2 * turns[i].size());
     for(const double angle : turns[i])

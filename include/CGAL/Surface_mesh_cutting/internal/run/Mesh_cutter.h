@@ -29,7 +29,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
@@ -152,7 +152,7 @@ private:
   {
     std::vector<Component_result> parts(components.size());
     std::atomic<int> first_failure(int(components.size()));
-    CGAL::internal::Graph_kernel::for_each_index<ConcurrencyTag>(int(components.size()), [&](int i)
+    execute(execution_of<ConcurrencyTag>(), int(components.size()), [&](int i)
     {
       if(i > first_failure)
         return;

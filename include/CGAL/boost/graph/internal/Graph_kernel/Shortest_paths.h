@@ -23,13 +23,10 @@ namespace CGAL {
 namespace internal {
 namespace Graph_kernel {
 
-// Dijkstra's algorithm where `search_from_sources()`, which is Boost's, does not serve: a search can end early
-// (Boost's only by an exception), arcs may have a weight for each direction, vertices can become sources during a
-// search, sources can have distances, and only what a run touched is reset, so that many small searches on a large graph
-// are cheap. Boost's takes up to 1.2 times as long for a whole surface (`benchmark/BGL/boost_graph.cpp`), so the many
-// searches of `Key_points` are done here, too: all of the greedy connection would take 1.13 to 1.17 times as long as with
-// a heap that holds the distances, with this search 1.02 to 1.04 times.
-// The one other search of our own is that of `Pruned_dynamic_programme`, which prunes by bounds.
+// Dijkstra's algorithm. Boost's, which `Steiner_tree::metric_closure_tree()` runs on the caller's graph, offers no searches
+// that end early, arcs with a weight for each direction, vertices that become sources during a search, or sources with
+// distances; and only what a run touched is reset here, so that many small searches on a large graph are cheap.
+// The one other search is that of `Pruned_dynamic_program`, which prunes by bounds.
 class Shortest_paths
 {
   const Csr_graph* m_graph;

@@ -15,7 +15,7 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Instance.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_programme.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_program.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
 
 #include <algorithm>
@@ -28,12 +28,16 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
+// of the dynamic program
+constexpr int largest_number_of_terminals = Terminal_set<4>::capacity;
+
 // A Steiner tree problem, the best tree known, a lower bound, and an instance in which all shorter trees are left.
 // All terminals must be in one component.
 class Bounded_instance
 {
   const Csr_graph* m_graph;
   const std::vector<int>* m_terminals;
+  Execution m_execution;
   bool m_has_integral_weights;
   Instance m_instance;
   Tree m_best;
@@ -48,9 +52,10 @@ public:
   // A tree is optimal if none is shorter by more than this part of its length; larger than rounding errors.
   static constexpr double tolerance = 1e-10;
 
-  Bounded_instance(const Csr_graph& graph, const std::vector<int>& terminals)
+  Bounded_instance(const Csr_graph& graph, const std::vector<int>& terminals, Execution execution)
     : m_graph(&graph)
     , m_terminals(&terminals)
+    , m_execution(execution)
     , m_has_integral_weights(std::all_of(graph.edges.begin(), graph.edges.end(),
                                          [](const Edge& e) { return e.weight == std::floor(e.weight); }))
     , m_instance(graph, terminals)
@@ -58,8 +63,8 @@ public:
 
   // the part of the graph without the edges removed, which must hold the tree
   Bounded_instance(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<char>& is_removed,
-                   const Tree& tree, const Go_further& go_further)
-    : Bounded_instance(graph, terminals)
+                   const Tree& tree, Execution execution, const Go_further& go_further)
+    : Bounded_instance(graph, terminals, execution)
   {
     m_best = tree;
     remove(is_removed, go_further);
@@ -86,7 +91,6 @@ public:
 
   // Finds the dual solution that the next reduction uses. It depends on no tree: trees may be found by `improve()` at
   // the same time.
-  template <typename ConcurrencyTag>
   void ascend(const Go_further& go_further)
   {
     const int root = ++m_last_root % int(terminals().size());
@@ -96,19 +100,18 @@ public:
         return dual.is_saturated(i) ? graph().arcs[i].weight : Shortest_paths::infinity();
       }, go_further);
     };
-    m_dual.reset(new Dual_ascent(graph(), terminals(), root, ConcurrencyTag(), go_further, grow));
+    m_dual.reset(new Dual_ascent(graph(), terminals(), root, m_execution, go_further, grow));
     m_is_dual_new = true;
   }
 
   // Removes what no shorter tree can use, by dual ascent with different roots: at least `minimum_number_of_rounds`
   // times and then as long as a round leaves at most `maximum_ratio` of the edges. False if no tree is shorter.
-  template <typename ConcurrencyTag>
   bool reduce(int minimum_number_of_rounds, double maximum_ratio, const Go_further& go_further)
   {
     for(int round = 0; !m_is_optimal && (m_is_dual_new || go_further()); ++round) {
       const int size = graph().number_of_edges();
       if(!m_is_dual_new)
-        ascend<ConcurrencyTag>(go_further);
+        ascend(go_further);
       reduce_by_dual(go_further);
       if(round + 1 >= minimum_number_of_rounds && graph().number_of_edges() > maximum_ratio * size)
         break;
@@ -117,12 +120,11 @@ public:
   }
 
   // the pruned dynamic program; false if it was stopped
-  template <typename ConcurrencyTag>
   bool search(std::size_t maximum_number_of_states, const Go_further& go_further)
   {
     const std::size_t k = terminals().size();
-    return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1, ConcurrencyTag>(maximum_number_of_states, go_further)
-           : k <= Terminal_set<4>::capacity ? search_with_sets_of<4, ConcurrencyTag>(maximum_number_of_states, go_further)
+    return k <= Terminal_set<1>::capacity   ? search_with_sets_of<1>(maximum_number_of_states, go_further)
+           : k <= Terminal_set<4>::capacity ? search_with_sets_of<4>(maximum_number_of_states, go_further)
                                             : false;
   }
 
@@ -178,18 +180,18 @@ private:
     m_is_optimal = true;
   }
 
-  template <int Words, typename ConcurrencyTag>
+  template <int Words>
   bool search_with_sets_of(std::size_t maximum_number_of_states, const Go_further& go_further)
   {
     if(!m_dual)
-      m_dual.reset(new Dual_ascent(graph(), terminals(), m_best_root % int(terminals().size()), ConcurrencyTag(),
+      m_dual.reset(new Dual_ascent(graph(), terminals(), m_best_root % int(terminals().size()), m_execution,
                                    go_further, [](const Dual_ascent&) {}));
     const Completion_bound<Words> bound(*m_dual);
-    Pruned_dynamic_programme<Words> programme(graph(), terminals(), bound, cut() - fixed_length(),
+    Pruned_dynamic_program<Words> program(graph(), terminals(), bound, cut() - fixed_length(),
                                               maximum_number_of_states);
-    m_is_optimal = programme.template run<ConcurrencyTag>(go_further);
-    if(programme.has_found_tree())
-      improve(programme.tree());
+    m_is_optimal = program.run(m_execution, go_further);
+    if(program.has_found_tree())
+      improve(program.tree());
     return m_is_optimal;
   }
 };

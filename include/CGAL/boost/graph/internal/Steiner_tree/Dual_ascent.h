@@ -17,7 +17,7 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -108,9 +108,9 @@ public:
   // raises the sets around the terminals, the smallest first, until all are reached from the root along arcs of
   // reduced weight zero. All terminals must be in one component. Stopped earlier, it is a solution, too.
   // `use(*this)` is called with the reduced weights while the distances are still searched.
-  template <typename ConcurrencyTag, typename Use>
-  Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root, ConcurrencyTag,
-              const Go_further& go_further, const Use& use)
+  template <typename Use>
+  Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root,
+              Graph_kernel::Execution execution, const Go_further& go_further, const Use& use)
     : m_graph(&graph)
     , m_terminals(terminals)
     , m_root(root)
@@ -120,7 +120,7 @@ public:
     for(const Csr_graph::Arc& arc : graph.arcs)
       m_entering.push_back(arc.weight);
     ascend(go_further);
-    Graph_kernel::for_each_index<ConcurrencyTag>(3, [this, &use](int i) {
+    Graph_kernel::execute(execution, 3, [this, &use](int i) {
       if(i == 0)
         use(*this);
       else if(i == 1)

@@ -12,7 +12,6 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_EXACT_SOLVER_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_EXACT_SOLVER_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Bounded_instance.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/corridor_tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
@@ -30,18 +29,19 @@ namespace Steiner_tree {
 // the pruned dynamic program on what is left. Without proof after `maximum_number_of_states`, the best tree found.
 // All terminals must be in one component. Edges that connect them and are known to form a short tree take the place of
 // the heuristics, and of most of their time.
-template <typename ConcurrencyTag>
 class Exact_solver
 {
   std::size_t m_maximum_number_of_states;
+  Execution m_execution;
   const Go_further& m_go_further;
   Bounded_instance m_instance;
   unsigned int m_seed = 0;
 
 public:
   Exact_solver(const Csr_graph& graph, const std::vector<int>& terminals, std::size_t maximum_number_of_states,
-               const Go_further& go_further, const std::vector<int>& known = {})
-    : m_maximum_number_of_states(maximum_number_of_states), m_go_further(go_further), m_instance(graph, terminals)
+               Execution execution, const Go_further& go_further, const std::vector<int>& known = {})
+    : m_maximum_number_of_states(maximum_number_of_states), m_execution(execution), m_go_further(go_further)
+    , m_instance(graph, terminals, execution)
   {
     if(!known.empty())
       m_instance.improve(make_tree(graph, terminals, known));
@@ -49,13 +49,13 @@ public:
       bound_from_both_sides(graph, terminals);
     else {
       m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));
-      if(!m_instance.template reduce<ConcurrencyTag>(1, 0., m_go_further) || !m_go_further())
+      if(!m_instance.reduce(1, 0., m_go_further) || !m_go_further())
         return;
       search_locally();
     }
     // The program with few states first. As often as these do not suffice, the same effort once more for the
     // bounds on both sides pays before it gets four times as many.
-    if(!m_instance.template reduce<ConcurrencyTag>(1, quick_ratio, m_go_further))
+    if(!m_instance.reduce(1, quick_ratio, m_go_further))
       return;
     const std::size_t first = (std::max)(minimum_number_of_states,
                                          minimum_number_of_states_per_edge * m_instance.graph().number_of_edges());
@@ -64,11 +64,11 @@ public:
       divisor *= 4;
     for(; m_go_further(); divisor /= 4) {
       const std::size_t states = m_maximum_number_of_states / divisor;
-      if(m_instance.template search<ConcurrencyTag>(states, m_go_further))
+      if(m_instance.search(states, m_go_further))
         return;
       recombine(double(states));
       if(divisor == 1 ||
-         !m_instance.template reduce<ConcurrencyTag>(number_of_rounds(states), slow_ratio, m_go_further))
+         !m_instance.reduce(number_of_rounds(states), slow_ratio, m_go_further))
         return;
     }
   }
@@ -105,14 +105,14 @@ private:
       const std::lock_guard<std::mutex> lock(mutex);
       return m_go_further();
     };
-    Graph_kernel::for_each_index<ConcurrencyTag>(2, [&](int i) {
+    Graph_kernel::execute(m_execution, 2, [&](int i) {
       if(i == 1) {
-        m_instance.template ascend<ConcurrencyTag>(go_further);
+        m_instance.ascend(go_further);
         return;
       }
       m_instance.improve(shortest_path_heuristic(graph, terminals, go_further));
-      m_instance.improve(corridor_tree<ConcurrencyTag>(graph, terminals, tree(),
-                                                       m_maximum_number_of_states / corridor_divisor, go_further));
+      m_instance.improve(corridor_tree(graph, terminals, tree(), m_maximum_number_of_states / corridor_divisor,
+                                       m_execution, go_further));
     });
   }
 
@@ -124,9 +124,9 @@ private:
     const double memory = double(graph.number_of_vertices()) * double(m_instance.terminals().size());
     if(memory > double(m_maximum_number_of_states))
       return;
-    const Key_points points(graph, m_instance.terminals(), ConcurrencyTag(), m_go_further);
+    const Key_points points(graph, m_instance.terminals(), m_execution, m_go_further);
     if(points.is_complete())
-      m_instance.improve(local_search(points, minimum_decrease(), ConcurrencyTag(), m_go_further));
+      m_instance.improve(local_search(points, minimum_decrease(), m_go_further));
   }
 
   // Trees from perturbed weights, and the best tree in the union of some of them and the best so far: a graph so small
@@ -141,20 +141,20 @@ private:
     std::vector<char> is_unused(graph.number_of_edges(), 1);
     for(int i = 0; i < number_of_trials && m_go_further(); ++i) {
       const Csr_graph other = perturbed(graph, m_seed++);
-      const Key_points points(other, terminals, ConcurrencyTag(), m_go_further);
+      const Key_points points(other, terminals, m_execution, m_go_further);
       if(!points.is_complete())
         break;
       Tree tree = make_tree(graph, terminals,
-                            local_search(points, minimum_decrease(), ConcurrencyTag(), m_go_further).edges);
+                            local_search(points, minimum_decrease(), m_go_further).edges);
       tree = make_tree_on_same_vertices(graph, terminals, tree);
       for(int e : tree.edges)
         is_unused[e] = 0;
       if(tree.length < best.length)
         best = tree;
       if((i + 1) % batch_size == 0 || i + 1 == number_of_trials) {
-        Bounded_instance part(graph, terminals, is_unused, best, m_go_further);
-        if(part.template reduce<ConcurrencyTag>(2, part_ratio, m_go_further))
-          part.template search<ConcurrencyTag>(std::size_t(effort / effort_per_part), m_go_further);
+        Bounded_instance part(graph, terminals, is_unused, best, m_execution, m_go_further);
+        if(part.reduce(2, part_ratio, m_go_further))
+          part.search(std::size_t(effort / effort_per_part), m_go_further);
         best = part.tree();
         is_unused.assign(graph.number_of_edges(), 1);
         for(int e : best.edges)

@@ -14,7 +14,7 @@
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
@@ -28,9 +28,10 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
+using Graph_kernel::Execution;
 using Graph_kernel::Go_further;
 using Graph_kernel::Shortest_paths;
-using Graph_kernel::for_each_index;
+using Graph_kernel::execute;
 
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, which can grow and shrink
 // by a point. Keeps one search per point: O(k n) memory. Boost's spanning trees of a metric closure, which is a complete
@@ -68,6 +69,7 @@ private:
 
   const Csr_graph* m_graph;
   std::vector<int> m_terminals;
+  Execution m_execution;
   std::vector<std::shared_ptr<const Search>> m_searches; // those of the terminals first
   // spanning tree: positions in `m_searches` in the order of Prim's algorithm, with the position of the parent
   struct Link
@@ -80,15 +82,14 @@ private:
   double m_length = 0.;
 
 public:
-  template <typename ConcurrencyTag>
-  Key_points(const Csr_graph& graph, const std::vector<int>& terminals, ConcurrencyTag,
+  Key_points(const Csr_graph& graph, const std::vector<int>& terminals, Execution execution,
              const Go_further& go_further)
-    : m_graph(&graph), m_terminals(terminals)
+    : m_graph(&graph), m_terminals(terminals), m_execution(execution)
   {
     const int k = int(terminals.size());
     for(int first = 0; first < k && go_further(); first = int(m_searches.size())) {
       m_searches.resize((std::min)(k, first + number_of_searches_at_once));
-      for_each_index<ConcurrencyTag>(int(m_searches.size()) - first, [&](int i) {
+      execute(m_execution, int(m_searches.size()) - first, [&](int i) {
         m_searches[first + i] = std::make_shared<const Search>(graph, terminals[first + i]);
       });
     }
@@ -119,13 +120,12 @@ public:
   // the point whose addition makes the spanning tree shortest (lowest index among equals). The new tree consists
   // of old links and links to the new point v (Chin and Houck 1978); going up the old tree, the longest link of
   // each cycle through v is dropped: O(k) per vertex, here for blocks of vertices at once.
-  template <typename ConcurrencyTag>
-  Insertion best_insertion(ConcurrencyTag) const
+  Insertion best_insertion() const
   {
     const int n = m_graph->number_of_vertices();
     const int number_of_blocks = (n + block_size - 1) / block_size;
     std::vector<Insertion> best(number_of_blocks);
-    for_each_index<ConcurrencyTag>(number_of_blocks, [&](int block) {
+    execute(m_execution, number_of_blocks, [&](int block) {
       best[block] = best_insertion_in_block(block * block_size, (std::min)(n, (block + 1) * block_size));
     });
     return *std::min_element(best.begin(), best.end(), [](const Insertion& a, const Insertion& b) {

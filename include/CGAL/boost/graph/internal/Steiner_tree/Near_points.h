@@ -30,7 +30,6 @@ namespace internal {
 namespace Steiner_tree {
 
 using Graph_kernel::Go_further;
-using Graph_kernel::Shortest_paths;
 
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, as `Key_points`, for so many
 // of them that distances from each to all vertices would take too long. What a point is worth depends on points no
@@ -104,16 +103,10 @@ private:
   void span()
   {
     for(;;) {
-      const auto regions =
-        voronoi_regions(*m_graph, m_points, get(boost::edge_weight, *m_graph), get(boost::vertex_index, *m_graph));
-      std::vector<Edge> bridges;
-      for(const Csr_edge_descriptor& e : CGAL::make_range(edges(*m_graph)))
-        if(regions.is_bridge(e))
-          bridges.push_back(Edge{regions.center(e.source), regions.center(e.target), regions.bridge_length(e)});
-      const Csr_graph closure(int(m_points.size()), std::move(bridges));
+      const Region_graph regions(*m_graph, m_points);
       m_links.clear();
-      for(int e : minimum_spanning_forest(closure, shortest_parallel_edges(closure)))
-        m_links.push_back(closure.edges[e]);
+      for(int e : minimum_spanning_forest(regions.graph()))
+        m_links.push_back(regions.graph().edges[e]);
       if(!remove_idle_points())
         break;
     }

@@ -34,7 +34,7 @@ struct Options
   Method method = Method::exact;
   double minimum_length_decrease = 0.;
   std::size_t maximum_number_of_states = 20000000;
-  // For more, the exact method, which could not prove much, gives way to near points.
+  // Beyond this number, near points replace the exact solver.
   std::size_t maximum_number_of_terminals = (std::numeric_limits<std::size_t>::max)();
 };
 

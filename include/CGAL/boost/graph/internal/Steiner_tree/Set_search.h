@@ -28,7 +28,7 @@ namespace Steiner_tree {
 using Graph_kernel::Distance_heap;
 
 // Sends the states of one set of terminals along the edges: Dijkstra's algorithm, pruned by rules 2 and 3 of
-// `Pruned_dynamic_programme`. Nothing is left behind between two sets but the memory.
+// `Pruned_dynamic_program`. Nothing is left behind between two sets but the memory.
 template <int Words>
 class Set_search
 {

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-// The states of `Pruned_dynamic_programme` for one set of terminals. They do not depend on how sets are held, so that
+// The states of `Pruned_dynamic_program` for one set of terminals. They do not depend on how sets are held, so that
 // they are compiled once for sets of any width.
 class Tree_states
 {

@@ -12,77 +12,55 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_VORONOI_REGIONS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_VORONOI_REGIONS_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/search_from_sources.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <cstddef>
-#include <limits>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-using Graph_kernel::search_from_sources;
+using Graph_kernel::Shortest_paths;
 
-// For each vertex its nearest center, by one search from all centers. For any undirected model of Boost's concepts
-// `VertexListGraph` and `IncidenceGraph` (or a directed one with each edge in both directions).
-template <typename Graph, typename WeightMap, typename VertexIndexMap>
+// For each vertex its nearest center, by one search from all centers. O(m log n)
 class Voronoi_regions
 {
-  typedef typename boost::graph_traits<Graph>::vertex_descriptor vertex_descriptor;
-  typedef typename boost::graph_traits<Graph>::edge_descriptor edge_descriptor;
-
-  const Graph& m_graph;
-  WeightMap m_weight;
-  VertexIndexMap m_index;
-  std::vector<double> m_distances;
+  const Csr_graph& m_graph;
+  Shortest_paths m_paths;
   std::vector<int> m_centers; // by their positions; -1: none can be reached
-  std::vector<edge_descriptor> m_last_edges;
 
 public:
-  Voronoi_regions(const Graph& graph, const std::vector<vertex_descriptor>& centers, WeightMap weight,
-                  VertexIndexMap index)
-    : m_graph(graph)
-    , m_weight(weight)
-    , m_index(index)
-    , m_centers(num_vertices(graph), -1)
-    , m_last_edges(num_vertices(graph))
+  Voronoi_regions(const Csr_graph& graph, const std::vector<int>& centers)
+    : m_graph(graph), m_paths(graph), m_centers(graph.number_of_vertices(), -1)
   {
-    for(std::size_t i = 0; i < centers.size(); ++i)
-      m_centers[get(index, centers[i])] = int(i);
-    search_from_sources(graph, centers, weight, index, m_distances, [this](const edge_descriptor& e) {
-      const std::size_t v = get(m_index, target(e, m_graph));
-      m_centers[v] = center(source(e, m_graph));
-      m_last_edges[v] = e;
+    for(std::size_t i = 0; i < centers.size(); ++i) {
+      m_centers[centers[i]] = int(i);
+      m_paths.add_source(centers[i]);
+    }
+    m_paths.run([this](int v) {
+      if(m_paths.last_edge(v) >= 0)
+        m_centers[v] = m_centers[m_paths.predecessor(v)];
+      return true;
     });
   }
 
   // the position of the nearest center
-  int center(vertex_descriptor v) const { return m_centers[get(m_index, v)]; }
+  int center(int v) const { return m_centers[v]; }
 
   // does the edge join two regions, and then: how long is the connection of the centers through it?
-  bool is_bridge(const edge_descriptor& e) const { return center(source(e, m_graph)) != center(target(e, m_graph)); }
-  double bridge_length(const edge_descriptor& e) const
+  bool is_bridge(int e) const { return center(m_graph.edges[e].source) != center(m_graph.edges[e].target); }
+  double bridge_length(int e) const
   {
-    return distance(source(e, m_graph)) + double(get(m_weight, e)) + distance(target(e, m_graph));
+    const Edge& edge = m_graph.edges[e];
+    return m_paths.distance(edge.source) + edge.weight + m_paths.distance(edge.target);
   }
 
-  // the last edge of the shortest path to `v`, which is not a center
-  const edge_descriptor& last_edge(vertex_descriptor v) const { return m_last_edges[get(m_index, v)]; }
-
-private:
-  double distance(vertex_descriptor v) const { return m_distances[get(m_index, v)]; }
+  // appends the edges of the shortest path from the center
+  void add_path(int v, std::vector<int>& path) const { m_paths.path(v, std::back_inserter(path)); }
 };
-
-template <typename Graph, typename WeightMap, typename VertexIndexMap>
-Voronoi_regions<Graph, WeightMap, VertexIndexMap>
-voronoi_regions(const Graph& graph, const std::vector<typename boost::graph_traits<Graph>::vertex_descriptor>& centers,
-                WeightMap weight, VertexIndexMap index)
-{
-  return Voronoi_regions<Graph, WeightMap, VertexIndexMap>(graph, centers, weight, index);
-}
 
 } // namespace Steiner_tree
 } // namespace internal

@@ -44,49 +44,48 @@ inline std::vector<char> is_outside_corridor(const Csr_graph& graph, const std::
 }
 
 // the best tree without the edges removed that reductions and so many states of the program find
-template <typename ConcurrencyTag>
-Tree improved_tree(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<char>& is_removed,
-                          const Tree& tree, std::size_t maximum_number_of_states, const Go_further& go_further)
+inline Tree improved_tree(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<char>& is_removed,
+                          const Tree& tree, std::size_t maximum_number_of_states, Execution execution,
+                          const Go_further& go_further)
 {
   constexpr double good_ratio = 0.7; // of the edges that a reduction leaves, for one more
-  Bounded_instance instance(graph, terminals, is_removed, tree, go_further);
-  if(instance.template reduce<ConcurrencyTag>(1, good_ratio, go_further))
-    instance.template search<ConcurrencyTag>(maximum_number_of_states, go_further);
+  Bounded_instance instance(graph, terminals, is_removed, tree, execution, go_further);
+  if(instance.reduce(1, good_ratio, go_further))
+    instance.search(maximum_number_of_states, go_further);
   return instance.tree();
 }
 
 // the shortest tree of a coarser graph
-template <typename ConcurrencyTag>
-std::vector<int> coarse_tree(const Csr_graph& graph, const std::vector<int>& terminals,
-                                    std::size_t maximum_number_of_states, const Go_further& go_further)
+inline std::vector<int> coarse_tree(const Csr_graph& graph, const std::vector<int>& terminals,
+                                    std::size_t maximum_number_of_states, Execution execution,
+                                    const Go_further& go_further)
 {
   constexpr int number_of_centers = 3000;
   const Region_graph regions(graph, terminals, number_of_centers);
   std::vector<int> positions; // the terminals are the first vertices
   for(std::size_t i = 0; i < terminals.size(); ++i)
     positions.push_back(int(i));
-  const Tree tree = improved_tree<ConcurrencyTag>(regions.graph(), positions, std::vector<char>(regions.graph().number_of_edges(), 0),
+  const Tree tree = improved_tree(regions.graph(), positions, std::vector<char>(regions.graph().number_of_edges(), 0),
                                   shortest_path_heuristic(regions.graph(), positions, go_further),
-                                  maximum_number_of_states, go_further);
+                                  maximum_number_of_states, execution, go_further);
   return regions.original_edges(tree.edges);
 }
 
 // A tree that is shortest among those near it, for graphs so large that searching the whole takes a good bound: the
 // best tree in a corridor around the one given and one that is shortest in a coarser graph; then always the best in a
 // corridor around the last one, as long as that pays.
-template <typename ConcurrencyTag>
-Tree corridor_tree(const Csr_graph& graph, const std::vector<int>& terminals, Tree tree,
-                          std::size_t maximum_number_of_states, const Go_further& go_further)
+inline Tree corridor_tree(const Csr_graph& graph, const std::vector<int>& terminals, Tree tree,
+                          std::size_t maximum_number_of_states, Execution execution, const Go_further& go_further)
 {
   constexpr int width = 12;           // vertices per edge of the tree
   constexpr double least_gain = 2e-3; // of the length, for one more corridor
   constexpr int maximum_number_of_corridors = 5;
-  std::vector<int> middle = coarse_tree<ConcurrencyTag>(graph, terminals, maximum_number_of_states, go_further);
+  std::vector<int> middle = coarse_tree(graph, terminals, maximum_number_of_states, execution, go_further);
   middle.insert(middle.end(), tree.edges.begin(), tree.edges.end());
   for(int i = 0; i < maximum_number_of_corridors && go_further(); ++i) {
     const double former = tree.length;
-    tree = improved_tree<ConcurrencyTag>(graph, terminals, is_outside_corridor(graph, middle, width * int(middle.size())), tree,
-                         maximum_number_of_states, go_further);
+    tree = improved_tree(graph, terminals, is_outside_corridor(graph, middle, width * int(middle.size())), tree,
+                         maximum_number_of_states, execution, go_further);
     if(tree.length > (1. - least_gain) * former)
       break;
     middle = tree.edges;

@@ -23,13 +23,11 @@ namespace Steiner_tree {
 // adds the auxiliary point that shortens the metric closure's spanning tree most as long as that is by more than
 // `minimum_decrease` (paper, Section 3.2). What counts in the end is the union of the paths, which may share
 // edges: the shortest union over all steps is returned.
-template <typename ConcurrencyTag>
-Tree insert_auxiliary_points(Key_points& points, double minimum_decrease, ConcurrencyTag tag,
-                             const Go_further& go_further)
+inline Tree insert_auxiliary_points(Key_points& points, double minimum_decrease, const Go_further& go_further)
 {
   Tree best = points.tree();
   while(go_further()) {
-    const Key_points::Insertion insertion = points.best_insertion(tag);
+    const Key_points::Insertion insertion = points.best_insertion();
     // no gain below rounding errors, or it would go on for ever
     if(!(points.length() - insertion.length > (std::max)(minimum_decrease, 1e-12 * points.length())))
       break;

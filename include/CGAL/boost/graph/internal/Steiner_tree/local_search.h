@@ -25,15 +25,13 @@ namespace Steiner_tree {
 // Local search over the auxiliary points (key vertices) after the greedy insertion: eliminates a point and inserts
 // the best others again (which includes exchanges) as long as the tree, measured by the union of its paths, gets
 // shorter. `minimum_decrease` keeps rounding errors from looking like progress.
-template <typename ConcurrencyTag>
-Tree local_search(Key_points points, double minimum_decrease, ConcurrencyTag tag,
-                  const Go_further& go_further)
+inline Tree local_search(Key_points points, double minimum_decrease, const Go_further& go_further)
 {
-  Tree best = insert_auxiliary_points(points, minimum_decrease, tag, go_further);
+  Tree best = insert_auxiliary_points(points, minimum_decrease, go_further);
   for(int i = 0; i < points.number_of_auxiliary_points() && go_further(); ++i) {
     Key_points candidate = points;
     candidate.erase_auxiliary_point(i);
-    const Tree tree = insert_auxiliary_points(candidate, minimum_decrease, tag, go_further);
+    const Tree tree = insert_auxiliary_points(candidate, minimum_decrease, go_further);
     const bool is_shorter = tree.length < best.length - minimum_decrease;
     if(is_shorter || candidate.length() < points.length() - minimum_decrease) {
       if(is_shorter)

@@ -12,9 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATH_HEURISTIC_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SHORTEST_PATH_HEURISTIC_H
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/graph_traits_Csr_graph.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Voronoi_regions.h>
@@ -27,8 +25,6 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
-
-using Graph_kernel::Shortest_paths;
 
 // The shortest path heuristic of Takahashi and Matsuyama (1980): grows a tree from `start`, always by a shortest
 // path to the nearest terminal outside. One search serves all steps: the vertices of a new path become sources
@@ -65,14 +61,14 @@ Tree grow_tree(const Csr_graph& graph, const std::vector<int>& terminals, int st
 // which begins with the nearest pair
 inline int terminal_of_nearest_pair(const Csr_graph& graph, const std::vector<int>& terminals)
 {
-  const auto regions =
-    voronoi_regions(graph, terminals, get(boost::edge_weight, graph), get(boost::vertex_index, graph));
+  const Voronoi_regions regions(graph, terminals);
   int result = terminals.front();
   double shortest = Shortest_paths::infinity();
-  for(const Csr_edge_descriptor& e : CGAL::make_range(edges(graph)))
+  for(int e = 0; e < graph.number_of_edges(); ++e)
     if(regions.is_bridge(e) && regions.bridge_length(e) < shortest) {
       shortest = regions.bridge_length(e);
-      result = (std::min)(terminals[regions.center(e.source)], terminals[regions.center(e.target)]);
+      result = (std::min)(terminals[regions.center(graph.edges[e].source)],
+                          terminals[regions.center(graph.edges[e].target)]);
     }
   return result;
 }

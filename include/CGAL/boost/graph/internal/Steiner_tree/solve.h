@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,14 +67,13 @@ inline std::vector<int> branch_vertices(const Csr_graph& graph, const std::vecto
   return result;
 }
 
-template <typename ConcurrencyTag>
-Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-                 const Go_further& go_further)
+inline Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
+                        Execution execution, const Go_further& go_further)
 {
-  Key_points points(graph, terminals, ConcurrencyTag(), go_further);
+  Key_points points(graph, terminals, execution, go_further);
   if(!points.is_complete())
     return metric_closure_tree(graph, terminals);
-  const Tree tree = insert_auxiliary_points(points, options.minimum_length_decrease, ConcurrencyTag(), go_further);
+  const Tree tree = insert_auxiliary_points(points, options.minimum_length_decrease, go_further);
   if(options.method == Method::greedy_auxiliary_points)
     return tree;
   std::vector<int> keys(terminals);
@@ -83,27 +84,23 @@ Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, cons
 }
 
 // local search from two sides: from the terminals, and from the branches that the shortest path heuristic finds
-template <typename ConcurrencyTag>
-Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals,
-                       const Go_further& go_further)
+inline Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals,
+                              Execution execution, const Go_further& go_further)
 {
   const Tree grown = shortest_path_heuristic(graph, terminals, go_further);
   const double minimum_decrease = 1e-10 * grown.length;
-  Key_points points(graph, terminals, ConcurrencyTag(), go_further);
+  Key_points points(graph, terminals, execution, go_further);
   if(!points.is_complete())
     return grown;
-  const Tree first = local_search(points, minimum_decrease, ConcurrencyTag(), go_further);
+  const Tree first = local_search(points, minimum_decrease, go_further);
   for(int v : branch_vertices(graph, terminals, grown))
     points.insert(v);
-  const Tree second = local_search(points, minimum_decrease, ConcurrencyTag(), go_further);
+  const Tree second = local_search(points, minimum_decrease, go_further);
   return second.length < first.length ? second : first;
 }
 
-// connects the terminals, which must be different vertices. `go_further()` is asked between steps; false cancels.
-// Weights must be finite and not negative. The exact method begins with the edges of a `known` tree, if one is given.
-template <typename ConcurrencyTag>
-Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-               const Go_further& go_further, const std::vector<int>& known = {})
+// where the terminals are not connected, or fewer than two
+inline std::optional<Solution> solve_without_search(const Csr_graph& graph, const std::vector<int>& terminals)
 {
   Solution solution;
   if(!Graph_kernel::are_connected(graph, terminals, [](int) { return true; })) {
@@ -115,6 +112,31 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
     solution.is_optimal = true;
     return solution;
   }
+  return std::nullopt;
+}
+
+// the solution with what follows from it. All methods begin with a shortest path between two terminals.
+inline Solution concluded(Solution solution, bool is_shortest_path, const Go_further& go_further)
+{
+  if(is_shortest_path) {
+    solution.is_optimal = true;
+    solution.outcome = Outcome::done;
+  }
+  if(solution.is_optimal)
+    solution.lower_bound = solution.tree.length;
+  else if(!go_further())
+    solution.outcome = Outcome::cancelled;
+  return solution;
+}
+
+// connects the terminals, which must be different vertices. `go_further()` is asked between steps; false cancels.
+// Weights must be finite and not negative. The exact method begins with the edges of a `known` tree, if one is given.
+inline Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
+                      Execution execution, const Go_further& go_further, const std::vector<int>& known = {})
+{
+  if(const std::optional<Solution> solution = solve_without_search(graph, terminals))
+    return *solution;
+  Solution solution;
   switch(options.method) {
   case Method::metric_closure:
     solution.tree = metric_closure_tree(graph, terminals);
@@ -124,10 +146,10 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
     break;
   case Method::greedy_auxiliary_points:
   case Method::greedy_auxiliary_points_and_shortest_paths:
-    solution.tree = greedy_tree<ConcurrencyTag>(graph, terminals, options, go_further);
+    solution.tree = greedy_tree(graph, terminals, options, execution, go_further);
     break;
   case Method::local_search:
-    solution.tree = local_search_tree<ConcurrencyTag>(graph, terminals, go_further);
+    solution.tree = local_search_tree(graph, terminals, execution, go_further);
     break;
   case Method::exact:
     if(terminals.size() > options.maximum_number_of_terminals) {
@@ -135,7 +157,12 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
         tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further);
       break;
     }
-    const Exact_solver<ConcurrencyTag> solver(graph, terminals, options.maximum_number_of_states, go_further, known);
+    const bool needs_near_points = known.empty() && terminals.size() > std::size_t(largest_number_of_terminals);
+    const Exact_solver solver(
+      graph, terminals, options.maximum_number_of_states, execution, go_further,
+      needs_near_points
+        ? tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further).edges
+        : known);
     solution.tree = solver.tree();
     solution.lower_bound = solver.lower_bound();
     solution.is_optimal = solver.is_optimal();
@@ -143,15 +170,7 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
       solution.outcome = Outcome::budget_exceeded;
     break;
   }
-  if(terminals.size() == 2 && known.empty()) {
-    solution.is_optimal = true; // all methods begin with a shortest path then
-    solution.outcome = Outcome::done;
-  }
-  if(solution.is_optimal)
-    solution.lower_bound = solution.tree.length;
-  else if(!go_further())
-    solution.outcome = Outcome::cancelled;
-  return solution;
+  return concluded(std::move(solution), terminals.size() == 2 && known.empty(), go_further);
 }
 
 } // namespace Steiner_tree

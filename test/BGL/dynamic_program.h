@@ -1,5 +1,5 @@
-#ifndef DYNAMIC_PROGRAMME_H
-#define DYNAMIC_PROGRAMME_H
+#ifndef DYNAMIC_PROGRAM_H
+#define DYNAMIC_PROGRAM_H
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-// The length of a shortest tree by the programme of Dreyfus and Wagner (1971) in the form of Erickson, Monma and Veinott
+// The length of a shortest tree by the program of Dreyfus and Wagner (1971) in the form of Erickson, Monma and Veinott
 // (1987): for all sets of terminals but the last, in an order in which subsets come first, and all vertices v, the
 // shortest tree that connects v and the set is one of two trees merged at v or ends with an edge to v.
 inline double shortest_tree_length(const CGAL::internal::Graph_kernel::Csr_graph& graph,
@@ -38,4 +38,4 @@ inline double shortest_tree_length(const CGAL::internal::Graph_kernel::Csr_graph
   return terminals.size() < 2 ? 0. : lengths.back()[terminals.back()];
 }
 
-#endif // DYNAMIC_PROGRAMME_H
+#endif // DYNAMIC_PROGRAM_H

@@ -9,10 +9,10 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
-#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H
+#define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/for_each_index.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Set_search.h>
@@ -31,7 +31,7 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-using Graph_kernel::for_each_index;
+using Graph_kernel::Execution;
 
 // The program of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
 // d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging
@@ -51,7 +51,7 @@ using Graph_kernel::for_each_index;
 // All states of T itself survive, in the order of the number of terminals, with their exact values: by induction,
 // its parts did.
 template <int Words>
-class Pruned_dynamic_programme
+class Pruned_dynamic_program
 {
   using Set = Terminal_set<Words>;
   using State = Tree_states::State;
@@ -103,7 +103,7 @@ class Pruned_dynamic_programme
   std::vector<int> m_best_tables;
 
 public:
-  Pruned_dynamic_programme(const Csr_graph& graph, const std::vector<int>& terminals,
+  Pruned_dynamic_program(const Csr_graph& graph, const std::vector<int>& terminals,
                            const Completion_bound<Words>& bound, double cut, std::size_t maximum_number_of_states)
     : m_graph(graph)
     , m_terminals(terminals)
@@ -117,20 +117,19 @@ public:
 
   // False if it was stopped by the budget or by `go_further`. Sets of one size do not depend on each other: a batch of
   // them is sent at once, by so many searches as are given, and then merged one after the other.
-  template <typename ConcurrencyTag>
-  bool run(const Go_further& go_further)
+  bool run(Execution execution, const Go_further& go_further)
   {
     for(int i = 0; i < int(m_terminals.size()); ++i) {
       Set single;
       single.insert(i);
       m_tables[table_of(single)].initial.push_back(State{m_terminals[i], from_terminal, 0.});
     }
-    Searches searches(std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? number_of_searches : 1);
+    Searches searches(execution == Execution::PARALLEL ? number_of_searches : 1);
     for(std::size_t size = 1; size <= m_terminals.size() / 2; ++size) {
       const std::vector<int> tables = m_tables_by_size[size]; // merging makes only larger sets
       for(std::size_t first = 0; first < tables.size(); first += batch_size) {
         const std::size_t last = (std::min)(first + batch_size, tables.size());
-        send<ConcurrencyTag>(std::vector<int>(tables.begin() + first, tables.begin() + last), searches);
+        send(execution, std::vector<int>(tables.begin() + first, tables.begin() + last), searches);
         for(std::size_t i = first; i < last; ++i) {
           count_states(m_tables[tables[i]].states.size());
           if(!m_is_complete || !go_further())
@@ -172,10 +171,9 @@ private:
       m_remaining_states -= number;
   }
 
-  template <typename ConcurrencyTag>
-  void send(const std::vector<int>& batch, Searches& searches)
+  void send(Execution execution, const std::vector<int>& batch, Searches& searches)
   {
-    for_each_index<ConcurrencyTag>(int(searches.size()), [&](int s) {
+    Graph_kernel::execute(execution, int(searches.size()), [&](int s) {
       for(std::size_t i = s; i < batch.size(); i += searches.size()) {
         if(!searches[s])
           searches[s].reset(new Search(m_graph, m_terminals, m_bound));
@@ -288,4 +286,4 @@ private:
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAMME_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H
