@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <utility>
@@ -35,6 +36,8 @@ using CGAL::internal::Graph_kernel::always_go_further;
 // threads may call it; only one at a time calls the caller.
 class Run_control
 {
+  using Clock = std::chrono::steady_clock;
+
 public:
   Run_control() = default;
   Run_control(Go_further go_further, std::function<void(Phase, double)> progress)
@@ -44,10 +47,21 @@ public:
   bool go_further()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_is_stopped = m_is_stopped || !m_go_further();
+    if(!m_is_stopped && !m_go_further())
+    {
+      m_stop = Clock::now();
+      m_is_stopped = true;
+    }
     return !m_is_stopped;
   }
   bool is_stopped() const { return m_is_stopped; }
+
+  // Whether the stop is so short a time ago that the caller still waits without complaint.
+  bool was_just_stopped() const
+  {
+    constexpr std::chrono::milliseconds patience(500);
+    return m_is_stopped && Clock::now() - m_stop < patience;
+  }
 
   // What the layers below ask, as long as this control lives.
   operator Go_further() { return [this] { return go_further(); }; }
@@ -63,6 +77,7 @@ public:
 private:
   Go_further m_go_further = always_go_further;
   std::function<void(Phase, double)> m_progress;
+  Clock::time_point m_stop; // once it is stopped
   std::atomic<bool> m_is_stopped{false};
   std::mutex m_mutex;
 };

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/early_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
@@ -101,6 +102,13 @@ public:
     if(m_context.parameters.effort == Effort::BEST && m_context.parameters.has_bound() && !m_problem.is_opened)
       go_on_from_best(results);
     return best_of(results);
+  }
+
+  // What is returned of a stopped run that found no map, or no cut if that is what is asked for.
+  Component_result completed_early(Component_result found, bool needs_map) const
+  {
+    complete_early<ConcurrencyTag>(m_problem, needs_map, m_context.control, found);
+    return found;
   }
 
 private:

@@ -191,11 +191,21 @@ private:
                     Initial_cut(component.restriction(m_constraints.initial)),
                     component.topology.genus() == 0 && component.topology.border_loops == 0, many_handles};
     Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_context.control, m_context.clock});
-    part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(output == Output_kind::MAP);
+    const bool needs_map = output == Output_kind::MAP;
+    part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(needs_map);
+    if(output != Output_kind::FEATURES && !has_result(part, output) && completes_early())
+      part = cutter.completed_early(std::move(part), needs_map);
     part.cost *= cost_unit;
     for(Trade_off& t : part.trade_offs)
       t.cut_cost *= cost_unit;
     return part;
+  }
+
+  // Whether a stopped run makes do with cuts and maps that take little time: on larger surfaces, even these take too much.
+  bool completes_early() const
+  {
+    constexpr int largest = 100000; // faces
+    return m_context.control.is_stopped() && m_mesh.number_of_faces() <= largest;
   }
 
   // Whether loops that cut the handles may leave more borders than a tree that is proven shortest connects.
