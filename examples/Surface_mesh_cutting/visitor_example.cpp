@@ -23,7 +23,7 @@ struct Impatient_visitor : public SMC::Default_visitor
   void progress(SMC::Phase current, double fraction)
   {
     phase = current;
-    std::cout << "phase " << int(current) << ": " << int(100 * fraction) << " %\n";
+    std::cout << int(100 * fraction) << " %: " << to_string(current) << "\n";
   }
 };
 
@@ -42,6 +42,6 @@ int main(int argc, char** argv)
   Impatient_visitor visitor;
   const SMC::Cut_result<Mesh> result
     = SMC::greedy_cut(mesh, is_cut, CGAL::parameters::visitor(std::ref(visitor)));
-  std::cout << result.status.message << std::endl;
+  std::cout << result.status.message << (result.has_result ? "; the best cut so far is marked" : "") << std::endl;
   return result.status.code == SMC::Status_code::STOPPED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

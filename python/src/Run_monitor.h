@@ -22,7 +22,7 @@ namespace binding {
 struct Progress
 {
   CGAL::Surface_mesh_cutting::Phase phase = CGAL::Surface_mesh_cutting::Phase::CANDIDATES;
-  double fraction = -1; // of the phase; negative before the first one
+  double fraction = -1; // of the call that is done; negative before the first one
 
   bool operator!=(const Progress& other) const { return phase != other.phase || fraction != other.fraction; }
 };
@@ -44,10 +44,18 @@ public:
     return !m_is_stopped && !(elapsed.count() > m_time_limit);
   }
 
+  // What progresses from here on is a part of the call, from `begin` to `end` (0 to 1).
+  void begin_part(double begin, double end)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_begin = begin;
+    m_end = end;
+  }
+
   void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_progress = {phase, fraction};
+    m_progress = {phase, m_begin + (m_end - m_begin) * fraction};
   }
 
   void stop() { m_is_stopped = true; }
@@ -62,6 +70,7 @@ private:
   const double m_time_limit;
   std::atomic<bool> m_is_stopped{false};
   mutable std::mutex m_mutex;
+  double m_begin = 0, m_end = 1;
   Progress m_progress;
 };
 

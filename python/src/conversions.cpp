@@ -15,26 +15,6 @@ namespace binding {
 
 namespace {
 
-const char* name_of(Status_code code)
-{
-  switch(code)
-  {
-  case Status_code::OK:                     return "ok";
-  case Status_code::EMPTY_MESH:             return "empty_mesh";
-  case Status_code::NOT_TRIANGULATED:       return "not_triangulated";
-  case Status_code::NON_MANIFOLD:           return "non_manifold";
-  case Status_code::INVALID_POINT:          return "invalid_point";
-  case Status_code::WRONG_PARAMETER:        return "wrong_parameter";
-  case Status_code::INFEASIBLE_CONSTRAINTS: return "infeasible_constraints";
-  case Status_code::NOT_CUT_TO_DISKS:       return "not_cut_to_disks";
-  case Status_code::NUMERICAL_FAILURE:      return "numerical_failure";
-  case Status_code::NOT_CERTIFIED:          return "not_certified";
-  case Status_code::STOPPED:                return "stopped";
-  case Status_code::BOUND_NOT_REACHED:      return "bound_not_reached";
-  }
-  return "";
-}
-
 Weld weld_of(const std::string& name)
 {
   return name == "on" ? Weld::ON : name == "off" ? Weld::OFF : Weld::AUTO;
@@ -87,7 +67,7 @@ py::array_t<double> to_array(const std::vector<SMC::Trade_off>& trade_offs)
 py::dict to_dict(const Finding& finding)
 {
   py::dict result;
-  result["status"] = name_of(finding.code);
+  result["status"] = SMC::to_string(finding.code);
   result["message"] = finding.message;
   if(!finding.edges.empty())
   {
@@ -137,20 +117,6 @@ py::dict to_dict(const SMC::Phase_times& times, double packing)
   result["packing"] = packing;
   result["total"] = times.total;
   return result;
-}
-
-const char* name_of(SMC::Phase phase)
-{
-  switch(phase)
-  {
-  case SMC::Phase::CANDIDATES:   return "candidates";
-  case SMC::Phase::FILTER:       return "filter";
-  case SMC::Phase::CONNECT:      return "connect";
-  case SMC::Phase::REFINE:       return "refine";
-  case SMC::Phase::PARAMETERIZE: return "parameterize";
-  case SMC::Phase::PACK:         return "pack";
-  }
-  return "";
 }
 
 void add_status(const Status& status, py::dict& result)

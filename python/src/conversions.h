@@ -79,7 +79,6 @@ py::dict to_dict(const SMC::Phase_times& times, double packing);
 py::list to_list(const std::vector<Finding>& findings);
 py::list to_list(const std::vector<SMC::Interpretation>& interpreted);
 py::array_t<double> to_array(const std::vector<SMC::Trade_off>& trade_offs); // one row each
-const char* name_of(SMC::Phase phase);
 
 // Adds what all results say about how the run ended.
 void add_status(const Status& status, py::dict& result);

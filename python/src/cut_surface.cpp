@@ -95,6 +95,8 @@ template <typename NamedParameters>
 Cut_surface run(Named_surface& surface, const Cutting_options& options, const std::optional<Packing_options>& packing,
                 Run_monitor& monitor, const NamedParameters& np)
 {
+  constexpr double share_without_packing = 0.9; // of the time, for the progress
+  monitor.begin_part(0, packing ? share_without_packing : 1);
   Cut_surface result;
   std::optional<Status> packing_status;
   result.found = SMC::internal::run_on_adapter<Concurrency_tag, SMC::Unwrap_soup_result, Eigen::Vector2d>(
@@ -103,6 +105,7 @@ Cut_surface run(Named_surface& surface, const Cutting_options& options, const st
     {
       if(options.output != Output_kind::FEATURES)
         result.cut_edges = named_cut(adapter, found.cut);
+      monitor.begin_part(packing ? share_without_packing : 0, 1);
       if(options.output == Output_kind::MAP)
         write_map(adapter, found, options.do_bijective, packing, monitor, result, packing_status);
     },

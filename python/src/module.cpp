@@ -270,4 +270,6 @@ PYBIND11_MODULE(_extension, module)
   module.def("pack_charts", &pack_charts);
   module.def("certify", &certify);
   module.def("connect_terminals", &connect_terminals);
+  module.def("stop_all_calls", &stop_all_calls);
+  module.def("forget_calls", &forget_calls);
 }

@@ -16,6 +16,8 @@
 #include <future>
 #include <limits>
 #include <optional>
+#include <set>
+#include <thread>
 #include <utility>
 
 namespace binding {
@@ -42,19 +44,12 @@ public:
   void wait_for(std::future<void>& work)
   {
     while(!is_ready(work))
-      try
+      call_python([this]
       {
         handle_signals();
         report_progress();
-      }
-      catch(py::error_already_set& error)
-      {
-        m_monitor.stop();
-        if(!m_was_interrupted && !m_error && error.matches(PyExc_KeyboardInterrupt))
-          m_was_interrupted = true;
-        else if(!m_error)
-          m_error = std::move(error);
-      }
+      });
+    call_python([this] { report_progress(); }); // the last one
     if(m_error)
       throw py::error_already_set(std::move(*m_error));
     work.get();
@@ -63,6 +58,23 @@ public:
   bool was_interrupted() const { return m_was_interrupted; }
 
 private:
+  template <typename Function>
+  void call_python(const Function& function)
+  {
+    try
+    {
+      function();
+    }
+    catch(py::error_already_set& error)
+    {
+      m_monitor.stop();
+      if(!m_was_interrupted && !m_error && error.matches(PyExc_KeyboardInterrupt))
+        m_was_interrupted = true;
+      else if(!m_error)
+        m_error = std::move(error);
+    }
+  }
+
   static bool is_ready(const std::future<void>& work)
   {
     constexpr std::chrono::milliseconds period(20);
@@ -82,7 +94,7 @@ private:
     if(m_progress.is_none() || m_error || !(latest != m_reported))
       return;
     m_reported = latest;
-    if(m_progress(name_of(latest.phase), latest.fraction).is(py::bool_(false)))
+    if(m_progress(SMC::to_string(latest.phase), latest.fraction).is(py::bool_(false)))
       m_monitor.stop();
   }
 
@@ -93,7 +105,50 @@ private:
   std::optional<py::error_already_set> m_error;
 };
 
+// All calls that have begun and not ended. Whoever touches this holds the interpreter's lock.
+std::set<Run_monitor*> running;
+std::optional<std::thread::id> closing_thread; // once no call of another one begins any more
+
+class Entry
+{
+public:
+  explicit Entry(Run_monitor& monitor) : m_monitor(monitor)
+  {
+    if(closing_thread && *closing_thread != std::this_thread::get_id())
+      wait_for_end();
+    running.insert(&m_monitor);
+  }
+  Entry(const Entry&) = delete;
+  Entry& operator=(const Entry&) = delete;
+  ~Entry() { running.erase(&m_monitor); }
+
+private:
+  [[noreturn]] static void wait_for_end()
+  {
+    const py::gil_scoped_release unlocked;
+    for(;;)
+      std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+
+  Run_monitor& m_monitor;
+};
+
 } // namespace
+
+void stop_all_calls()
+{
+  constexpr std::chrono::milliseconds period(5);
+  closing_thread = std::this_thread::get_id();
+  while(!running.empty())
+  {
+    for(Run_monitor* monitor : running)
+      monitor->stop();
+    const py::gil_scoped_release unlocked;
+    std::this_thread::sleep_for(period);
+  }
+}
+
+void forget_calls() { running.clear(); }
 
 bool supervise(const Call& call, const std::function<void(Run_monitor&)>& work)
 {
@@ -105,6 +160,7 @@ bool supervise(const Call& call, const std::function<void(Run_monitor&)>& work)
   read(call, "progress", progress);
 
   Run_monitor monitor(time_limit);
+  const Entry entry(monitor);
   Supervisor supervisor(monitor, progress);
   std::future<void> future
     = std::async(std::launch::async, [&] { run_with_threads(threads, [&] { work(monitor); }); });

@@ -23,6 +23,13 @@ namespace binding {
 // Returns whether there was one.
 bool supervise(const Call& call, const std::function<void(Run_monitor&)>& work);
 
+// Ends the calls of all other threads, before the interpreter ends: it would kill a thread that waits for its lock, and with it
+// the process. No call of another thread begins any more.
+void stop_all_calls();
+
+// In a process that was forked: the threads of these calls are in the other one.
+void forget_calls();
+
 } // namespace binding
 
 #endif // SURFACE_MESH_CUTTING_PYTHON_SUPERVISE_H

@@ -11,6 +11,10 @@
 (4, 3, 2)
 """
 
+import atexit as _atexit
+import os as _os
+
+from . import _extension
 from ._extension import __version__
 from .charts import certify_unwrap, pack_charts
 from .connecting import connect_points, cut_handles
@@ -26,3 +30,7 @@ __all__ = ["Certificate", "ComputationError", "ConnectionOptions", "ConnectionRe
            "PackingResult", "Result", "RunOptions", "SteinerTree", "StoppedError", "SurfaceOptions", "SurfaceResult",
            "UnwrapResult", "certify_unwrap", "connect_points", "cut_handles", "detect_feature_points", "greedy_cut",
            "pack_charts", "steiner_tree", "unwrap", "__version__"]
+
+_atexit.register(_extension.stop_all_calls)  # of daemon threads
+if hasattr(_os, "register_at_fork"):
+    _os.register_at_fork(after_in_child=_extension.forget_calls)

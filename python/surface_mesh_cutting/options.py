@@ -30,9 +30,9 @@ class RunOptions(TypedDict, total=False):
     time_limit : float, optional
         Seconds after which the run ends with the best result so far; no limit by default.
     progress : callable, optional
-        Called as ``progress(phase, fraction)`` with the name of a phase (a key of `CutResult.seconds`, or "pack") and its
-        share that is done, from 0 to 1, at most 50 times a second, by the thread that called the function. If it returns
-        `False`, the run ends as at a time limit; if it raises, the run ends and the exception passes.
+        Called as ``progress(phase, fraction)`` with the name of the phase that goes on (a key of `CutResult.seconds`, or "pack") and the
+        share of the whole call that is done, an estimate from 0 to 1 that never decreases, at most 50 times a second, by the
+        thread that called the function. The last one is 1 if all was done. If it returns `False`, the run ends as at a time limit; if it raises, the run ends and the exception passes.
     """
 
     threads: Optional[int]

@@ -1,5 +1,5 @@
 // Runs that a visitor stops at any of its calls, or the time limit: they return STOPPED, whatever else they found,
-// and leave the maps untouched or a valid result in them.
+// and leave the maps untouched or a valid result in them; cuts and maps of small surfaces always are a result.
 
 #include "checks.h"
 #include "random_surfaces.h"
@@ -34,8 +34,16 @@ struct Stopping_visitor : public SMC::Default_visitor
   const int stopping_call; // 0: none
   int calls = 0;
 
+  double done = 0; // of the run
+  bool is_monotone = true;
+
   explicit Stopping_visitor(int call) : stopping_call(call) {}
   bool go_further() { return ++calls != stopping_call; }
+  void progress(SMC::Phase, double fraction)
+  {
+    is_monotone = is_monotone && done <= fraction && fraction <= 1;
+    done = fraction;
+  }
 };
 
 // Stops `call(visitor)`, which returns its status, after few, many, and all calls to the visitor.
@@ -46,6 +54,7 @@ void stop_everywhere(const std::string& name, const Call& call, int number_of_st
   const Status_code code = call(whole);
   check(code == Status_code::OK || code == Status_code::BOUND_NOT_REACHED, name + ": the whole run");
   std::cout << name << ": " << whole.calls << " calls" << std::endl;
+  check(whole.is_monotone && (whole.done == 1 || whole.done == 0), name + ": progress " + std::to_string(whole.done));
   number_of_stops = (std::min)(number_of_stops, whole.calls);
   check(number_of_stops > 0, name + ": the visitor is asked");
   for(int i = 0; i < number_of_stops; ++i)
@@ -54,8 +63,9 @@ void stop_everywhere(const std::string& name, const Call& call, int number_of_st
     const std::string where = name + ", stopped at call " + std::to_string(stopping_call);
     Stopping_visitor visitor(stopping_call);
     const Status_code stopped = call(visitor);
-    check(stopped == Status_code::STOPPED, where + ": status " + std::to_string(int(stopped)));
+    check(stopped == Status_code::STOPPED, where + ": status " + to_string(stopped));
     check(visitor.calls == stopping_call, where + ": asked again");
+    check(visitor.is_monotone && visitor.done < 1.0001, where + ": progress");
   }
 }
 
@@ -120,9 +130,9 @@ void test_unwrap(const Setting& s)
     Task task(s.soup);
     task.set_weights(!s.has_weights);
     const auto result = SMC::unwrap(task.mesh, task.is_cut, task.uv, task.parameters(s, std::ref(visitor)));
-    check(result.has_result ? task.is_cut_valid() && SMC::certify_unwrap(task.mesh, task.is_cut, task.uv,
-                                                       CGAL::parameters::do_bijective(s.do_bijective))
-                            : task.is_cut_untouched() && task.is_uv_untouched(), "unwrap, " + s.name + ": maps");
+    check(result.has_result && task.is_cut_valid() && SMC::certify_unwrap(task.mesh, task.is_cut, task.uv,
+                                                                          CGAL::parameters::do_bijective(s.do_bijective)),
+          "unwrap, " + s.name + ": maps");
     return result.status.code;
   };
   stop_everywhere("unwrap, " + s.name, call, 12);
@@ -135,7 +145,7 @@ void test_greedy_cut(const Setting& s)
     Task task(s.soup);
     task.set_weights(!s.has_weights);
     const auto result = SMC::greedy_cut(task.mesh, task.is_cut, task.parameters(s, std::ref(visitor)));
-    check(result.has_result ? task.is_cut_valid() : task.is_cut_untouched(), "greedy_cut, " + s.name + ": map");
+    check(result.has_result && task.is_cut_valid(), "greedy_cut, " + s.name + ": map");
     return result.status.code;
   };
   stop_everywhere("greedy_cut, " + s.name, call, 6);
@@ -258,6 +268,43 @@ void test_time_limit()
   check(seconds < longest, "stopped at once");
 }
 
+// What the caller asks for holds for the cut of a run that is stopped at once, too: on one side of a surface no edge may be cut
+// but the border, on the other side some edges must, and a vertex has to be reached.
+void test_constraints(const std::string& name, const test::Soup& soup, double forbidden_from)
+{
+  Task task(soup);
+  Mesh& mesh = task.mesh;
+  auto is_forbidden = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_forbidden", false).first;
+  auto is_mandatory = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_mandatory", false).first;
+  auto is_terminal = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_terminal", false).first;
+  const auto is_inside = [&](Mesh::Vertex_index v) { return mesh.point(v).x() > forbidden_from; };
+  for(auto e : edges(mesh))
+  {
+    is_forbidden[e] = is_inside(source(e, mesh)) && is_inside(target(e, mesh));
+    is_mandatory[e] = !is_forbidden[e] && mesh.point(source(e, mesh)).x() < -forbidden_from && int(e) % 5 == 0;
+  }
+  const Mesh::Vertex_index terminal = *std::min_element(vertices(mesh).begin(), vertices(mesh).end(), [&](auto v, auto w)
+                                                        { return mesh.point(v).y() < mesh.point(w).y(); });
+  is_terminal[terminal] = true;
+  Stopping_visitor visitor(1);
+  const auto result = SMC::unwrap(mesh, task.is_cut, task.uv, CGAL::parameters::visitor(std::ref(visitor))
+                                  .edge_is_forbidden_map(is_forbidden).edge_is_constrained_map(is_mandatory)
+                                  .vertex_is_constrained_map(is_terminal));
+  check(result.status.code == Status_code::STOPPED && result.has_result && task.is_cut_valid(),
+        name + ": stopped, " + result.status.message);
+  check(bool(SMC::certify_unwrap(mesh, task.is_cut, task.uv, CGAL::parameters::do_bijective(true))), name + ": map");
+  for(auto e : edges(mesh))
+    check(!(task.is_cut[e] && is_forbidden[e]) && (task.is_cut[e] || !is_mandatory[e]), name + ": edge");
+  check(std::any_of(edges(mesh).begin(), edges(mesh).end(), [&](auto e)
+                    { return task.is_cut[e] && (source(e, mesh) == terminal || target(e, mesh) == terminal); }), name + ": terminal");
+}
+
+void test_names()
+{
+  check(to_string(Status_code::OK) == "ok" && to_string(Status_code::BOUND_NOT_REACHED) == "bound_not_reached", "statuses");
+  check(SMC::to_string(SMC::Phase::CANDIDATES) == "candidates" && SMC::to_string(SMC::Phase::PACK) == "pack", "phases");
+}
+
 // Summed in another order, the whole area may be less than itself.
 void test_whole_area()
 {
@@ -325,6 +372,9 @@ int main()
     }
   test_handles({"genus 2", genus_2});
   test_handles({"components", several});
+  test_constraints("sphere", sphere, 0.7);
+  test_constraints("torus", test::torus(24, 12), 2.2);
+  test_names();
   test_visitors();
   test_time_limit();
   test_whole_area();

@@ -2,17 +2,20 @@
 
 import fcntl
 import json
+import math
 import os
 import signal
 import subprocess
 import time
 
-from support import Case, PROGRAM, TIME_LIMIT, main, sphere, to_off
+from support import (Case, PROGRAM, TIME_LIMIT, joined, main, scaled, sphere, to_off, torus,
+                     without_face)
 
 # Seconds from the limit or the signal to the end.
 SLACK = float(os.environ.get("UNWRAP_TEST_SLACK", "1"))
 SPHERE = sphere(1)
 LARGE = to_off(sphere(7))  # 131,072 triangles
+MANY = 60000
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -71,6 +74,55 @@ class Stopping(Case):
         self.assertLess(time.monotonic() - start, 0.05 + SLACK)
         self.assertEqual((exit_code, report["message"]), (6, "stopped by the time limit"))
         self.assertIsNone(report["components"])
+
+    def test_soonest(self):
+        """There is a layout from the start of the search on."""
+        hole = without_face(sphere(4))
+        parts = joined(joined(torus(20), scaled(sphere(4), 3)), scaled(hole, 0.5))
+        for mesh in (sphere(4), torus(40), hole, parts):
+            self.write("mesh.off", to_off(mesh))
+            for options in (["--max-distortion", "4.00001"], ["--effort", "best", "--allow-overlap"]):
+                with self.subTest(faces=len(mesh[1]), options=options):
+                    program = self.start("mesh.off", *options, "-o", "out.obj", "--json", "r.json", "--progress")
+                    program.stderr.readline()
+                    program.send_signal(signal.SIGINT)
+                    self.assert_ends(program, 6)
+                    report = json.loads((self.folder / "r.json").read_text())
+                    self.assertRegex(report["message"], "^stopped by a signal.*; the best result so far is written: ")
+                    self.assertEqual((report["flips"], report["overlaps"] or 0), (0, 0))
+                    self.assert_no_flips("out.obj")
+
+    def test_without_layout(self):
+        """In the program's words, with what helps."""
+        self.write("large.off", LARGE)
+        exit_code, report = self.report("large.off", "--time-limit", "0.8")
+        self.assertEqual(exit_code, 6)
+        self.assertIn(report["message"], ("stopped by the time limit",
+                                          "stopped by the time limit before there was a layout; --effort fast takes least time"))
+
+    def test_many_neighbors(self):
+        """Time that is quadratic in the number of neighbors would be minutes."""
+        rim = [(math.cos(2 * math.pi * i / MANY), math.sin(2 * math.pi * i / MANY), 0.1 * math.sin(50 * math.pi * i / MANY))
+               for i in range(MANY)]
+        faces = [(2 + i, 2 + (i + 1) % MANY, 0) for i in range(MANY)]
+        cones = ([(0, 0, 1), (0, 0, -1), *rim], faces + [(b, a, 1) for a, b, _ in faces])
+        self.write("cones.off", to_off(cones))
+        start = time.monotonic()
+        exit_code, _ = self.report("cones.off", "--time-limit", "3")
+        self.assertLess(time.monotonic() - start, 3 + 3 * SLACK)
+        self.assertIn(exit_code, (0, 6))
+
+    def test_progress(self):
+        """One estimate of the whole run, which never decreases."""
+        self.write("mesh.off", to_off(joined(torus(12), scaled(sphere(3), 3))))
+        for options in (["--effort", "best"], ["--max-distortion", "4.1"], ["--uv-scale", "surface"]):
+            with self.subTest(options=options):
+                run = self.unwrap("mesh.off", *options, "--progress", "--quiet")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                percents = [int(line.split()[0]) for line in run.stderr.decode().splitlines() if line[:1].isdigit()]
+                self.assertEqual(percents, sorted(percents))
+                self.assertEqual(percents[-1], 100)
+                self.assertGreater(len(percents), 5)
 
     def test_while_reading_constraints(self):
         self.write("small.off", to_off(SPHERE))

@@ -14,10 +14,12 @@ class CuttingVisitor
 {
 public:
   /// is called often, but by one thread at a time.
-  /// \return `false` to end the run, which then returns `CGAL::Surface_mesh_cutting::Status_code::STOPPED`
+  /// \return `false` to end the run, which then returns `CGAL::Surface_mesh_cutting::Status_code::STOPPED` and the best
+  /// result so far
   bool go_further();
 
-  /// is called when `fraction`, a number from 0 to 1, of a phase is done.
+  /// is called when `fraction`, a number from 0 to 1, of the whole run is done, with the phase that goes on. The fraction is an
+  /// estimate; it never decreases, and is 1 when the run has succeeded. Phases come again, as each start goes through them.
   /// `CGAL::Surface_mesh_cutting::connect_points()`, `CGAL::Surface_mesh_cutting::cut_handles()` and
   /// `CGAL::Surface_mesh_cutting::visibility_weights()` do not call it.
   void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction);

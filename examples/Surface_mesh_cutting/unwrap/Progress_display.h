@@ -20,7 +20,7 @@ public:
   // Takes the bar away.
   ~Progress_display();
 
-  // `fraction` of `phase`, from 0 to 1, is done.
+  // `fraction` of the run, from 0 to 1, is done, and `phase` goes on.
   void show(const std::string& phase, double fraction);
 
 private:

@@ -1,4 +1,4 @@
-// Shows how far a computation of the library is, and ends it when a stop is requested.
+// Shows how far the run is during a computation of the library, and ends it when a stop is requested.
 
 #ifndef UNWRAP_PROGRESS_VISITOR_H
 #define UNWRAP_PROGRESS_VISITOR_H
@@ -7,12 +7,22 @@
 #include "Stop_visitor.h"
 #include "options.h"
 
+// Where a part of a run begins and ends, from 0 to 1.
+struct Part_of_run
+{
+  double begin, end;
+};
+
 class Progress_visitor : public Stop_visitor
 {
 public:
-  explicit Progress_visitor(const Options& options) : m_progress(style_of(options)) {}
+  // `part`: what the computation is of the run.
+  Progress_visitor(const Options& options, const Part_of_run& part) : m_part(part), m_progress(style_of(options)) {}
 
-  void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction) { m_progress.show(name_of(phase), fraction); }
+  void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction)
+  {
+    m_progress.show(name_of(phase), m_part.begin + (m_part.end - m_part.begin) * fraction);
+  }
 
 private:
   static const char* name_of(CGAL::Surface_mesh_cutting::Phase phase)
@@ -36,6 +46,7 @@ private:
          : options.is_quiet ? Progress_display::Style::NONE : Progress_display::Style::BAR;
   }
 
+  const Part_of_run m_part;
   Progress_display m_progress;
 };
 

@@ -35,15 +35,17 @@ void add_packing(Phase_seconds& phases, double seconds)
 
 } // namespace
 
+bool has_packing(const Options& options) { return options.uv_scale != "surface"; }
+
 void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, Outcome& outcome)
 {
-  if(options.uv_scale == "surface")
+  if(!has_packing(options))
   {
     outcome.charts = number_of_charts(mesh, is_cut);
     outcome.uv_scale = 1;
     return;
   }
-  Progress_visitor visitor(options);
+  Progress_visitor visitor(options, {share_without_packing, 1});
   const auto wall_start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
   const auto result = SMC::pack_charts<CGAL::Parallel_if_available_tag>(
@@ -64,7 +66,7 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
   if(!result && outcome.exit_code == Exit_code::DONE)
   {
     outcome.exit_code = Exit_code::STOPPED;
-    outcome.message = result.status.message + " before the charts were packed best; the best result so far is written: "
+    outcome.message = stop_reason() + " before the charts were packed best; the best result so far is written: "
                     + outcome.message;
   }
   outcome.charts = result.number_of_charts;

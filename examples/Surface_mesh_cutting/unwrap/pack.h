@@ -7,6 +7,11 @@
 #include "options.h"
 #include "outcome.h"
 
+// Whether charts are packed: not where they keep the surface's scale.
+bool has_packing(const Options& options);
+
+constexpr double share_without_packing = 0.9; // of a run, for its progress
+
 // Packs as the options ask for, and tells the number of charts, their scale and how much of the square they fill.
 // Throws a `Failure` where that is not possible.
 void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, Outcome& outcome);

@@ -106,7 +106,8 @@ std::string summary(const Outcome& outcome)
 void tell(const Result& result, const Surface& surface, bool is_like_soup, Outcome& outcome)
 {
   outcome.exit_code = exit_code_of(result.status.code);
-  outcome.message = message_of(result.status, surface, is_like_soup);
+  outcome.message = outcome.exit_code == Exit_code::STOPPED ? stop_reason()
+                                                           : message_of(result.status, surface, is_like_soup);
   outcome.witness = witness_of(result.status, surface);
   for(const SMC::Finding<Mesh>& warning : result.status.warnings)
     outcome.warnings.push_back(message_of(warning, surface, is_like_soup));
@@ -119,7 +120,11 @@ void tell(const Result& result, const Surface& surface, bool is_like_soup, Outco
   outcome.cpu_seconds = phase_seconds(result.cpu_seconds);
   outcome.factorized_unknowns = result.factorized_unknowns;
   if(!outcome.has_result)
+  {
+    if(outcome.exit_code == Exit_code::STOPPED)
+      outcome.message += " before there was a layout; --effort fast takes least time";
     return;
+  }
   outcome.candidates = result.number_of_candidates;
   outcome.features = result.number_of_features;
   outcome.auxiliary = result.number_of_auxiliary_points;
@@ -182,7 +187,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
 {
   using Matrix = Eigen::SparseMatrix<double>;
   using Simplicial = Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int> >; // unknowns come ordered
-  Progress_visitor visitor(options);
+  Progress_visitor visitor(options, {0, has_packing(options) ? share_without_packing : 1});
   const auto run = [&](auto solver) { return run_library(mesh, options, constraints, visitor, is_cut, uvs, solver); };
   if(options.solver == "eigen")
     return run(CGAL::Eigen_solver_traits<Simplicial>());

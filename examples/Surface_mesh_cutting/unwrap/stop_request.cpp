@@ -80,10 +80,12 @@ bool is_stop_requested()
   return was_signaled || elapsed.count() > time_limit;
 }
 
+std::string stop_reason() { return was_signaled ? "stopped by a signal" : "stopped by the time limit"; }
+
 void end_if_stop_is_requested()
 {
   if(is_stop_requested())
-    throw Failure(Exit_code::STOPPED, was_signaled ? "stopped by a signal" : "stopped by the time limit");
+    throw Failure(Exit_code::STOPPED, stop_reason());
 }
 
 Undisturbed::Undisturbed() { undisturbed.lock(); }

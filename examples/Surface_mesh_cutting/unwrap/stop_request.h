@@ -4,6 +4,8 @@
 #ifndef UNWRAP_STOP_REQUEST_H
 #define UNWRAP_STOP_REQUEST_H
 
+#include <string>
+
 // The first Ctrl-C, termination or hang-up asks the run to stop, the second one of its kind ends the
 // program at once, without its temporary files.
 void watch_for_signals();
@@ -12,6 +14,9 @@ void set_time_limit(double seconds);
 
 // May be asked by several threads.
 bool is_stop_requested();
+
+// What asks for it.
+std::string stop_reason();
 
 // Throws a `Failure` with `Exit_code::STOPPED` if a stop is requested.
 void end_if_stop_is_requested();

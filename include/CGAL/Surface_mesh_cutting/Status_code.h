@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <string>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 
@@ -36,10 +38,33 @@ enum class Status_code
   NOT_CUT_TO_DISKS,        ///< the marked edges leave a part that is not a disk. Witness: the faces of such a part.
   NUMERICAL_FAILURE,       ///< no flip-free parameterization was found. Witness: faces.
   NOT_CERTIFIED,           ///< the result failed the exact check. Witness: faces.
-  STOPPED,                 ///< the visitor or the time limit ended the run.
+  STOPPED,                 ///< the visitor or the time limit ended the run; there is a result nevertheless if `has_result`.
   BOUND_NOT_REACHED        ///< the result is valid but misses `maximum_average_distortion`, or, with `Connection::EXACT`, lacks
                            ///  the proof that it is shortest.
 };
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// returns the name of a status in lower case, as `"bound_not_reached"`.
+inline std::string to_string(Status_code code)
+{
+  switch(code)
+  {
+  case Status_code::OK:                     return "ok";
+  case Status_code::EMPTY_MESH:             return "empty_mesh";
+  case Status_code::NOT_TRIANGULATED:       return "not_triangulated";
+  case Status_code::NON_MANIFOLD:           return "non_manifold";
+  case Status_code::INVALID_POINT:          return "invalid_point";
+  case Status_code::WRONG_PARAMETER:        return "wrong_parameter";
+  case Status_code::INFEASIBLE_CONSTRAINTS: return "infeasible_constraints";
+  case Status_code::NOT_CUT_TO_DISKS:       return "not_cut_to_disks";
+  case Status_code::NUMERICAL_FAILURE:      return "numerical_failure";
+  case Status_code::NOT_CERTIFIED:          return "not_certified";
+  case Status_code::STOPPED:                return "stopped";
+  case Status_code::BOUND_NOT_REACHED:      return "bound_not_reached";
+  }
+  return "";
+}
 
 } // namespace Surface_mesh_cutting
 } // namespace CGAL

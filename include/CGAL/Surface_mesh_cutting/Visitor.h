@@ -14,12 +14,14 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <string>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// the phases of a run, in order. Each component goes through them, with several starts more than once.
+/// the phases of a run, in order. Each component goes through them, and each of several starts.
 enum class Phase
 {
   CANDIDATES,  ///< handles, first cuts, conformal maps, candidates for feature points
@@ -32,6 +34,23 @@ enum class Phase
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
+/// returns the name of a phase in lower case, as `"candidates"`.
+inline std::string to_string(Phase phase)
+{
+  switch(phase)
+  {
+  case Phase::CANDIDATES:   return "candidates";
+  case Phase::FILTER:       return "filter";
+  case Phase::CONNECT:      return "connect";
+  case Phase::REFINE:       return "refine";
+  case Phase::PARAMETERIZE: return "parameterize";
+  case Phase::PACK:         return "pack";
+  }
+  return "";
+}
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
 /// is the visitor that does nothing; derive your own from it.
 /// \cgalModels{CuttingVisitor}
 ///
@@ -41,10 +60,11 @@ struct Default_visitor
 {
   /// is called before each factorization and between the steps of every search: every few
   /// milliseconds on small meshes, every few seconds on meshes of a million triangles.
-  /// \return `false` to end the run, which then returns `Status_code::STOPPED`
+  /// \return `false` to end the run, which then returns `Status_code::STOPPED` and the best result so far
   bool go_further() const { return true; }
 
-  /// is called with the progress of a phase; `fraction` is between 0 and 1.
+  /// is called with what the run does at present and how much of the whole run is done: `fraction` is an estimate between
+  /// 0 and 1 that never decreases, and is 1 when the run has succeeded. Phases come again with each start.
   void progress(Phase, double /* fraction */) {}
 };
 

@@ -177,11 +177,17 @@ private:
   // Whether there is any scale at which all charts fit.
   bool find_first(int resolution)
   {
-    constexpr double shrinking = 0.93, hopeless = 1e-3;
+    constexpr double shrinking = 0.93, quick_shrinking = 0.8, hopeless = 1e-3;
     const double first = hopeful_scale();
-    for(double scale = first; scale > hopeless * first; scale *= shrinking)
+    for(double scale = first; scale > hopeless * first;)
+    {
       if(try_scale(resolution, scale))
         return true;
+      const bool is_in_haste = !m_control.go_further();
+      if(is_in_haste)
+        m_strategies.resize(1);
+      scale *= is_in_haste ? quick_shrinking : shrinking;
+    }
     return false;
   }
 
@@ -230,14 +236,15 @@ private:
     const int size = int(std::floor(side() * resolution));
     if(size < 1)
       return false;
+    const Go_further go_further = m_best ? Go_further(m_control) : always_go_further; // the first place is needed in any case
     const std::vector<Chart_masks> masks
       = chart_masks<ConcurrencyTag>(m_outlines, m_turns, scale * resolution, m_margin * resolution);
     using Places = std::optional<std::vector<Grid_place> >;
     std::vector<Places> found(m_strategies.size());
     execute(execution_of<ConcurrencyTag>(), int(m_strategies.size()), [&](int i)
     {
-      if(!m_best || m_control.go_further())
-        found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i]);
+      if(go_further())
+        found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i], go_further);
     });
     std::vector<Packing_strategy> successful;
     for(std::size_t i = 0; i < found.size(); ++i)

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/Free_cells.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,9 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
 
 // Where a chart lies on the grid, and as which of its masks.
 struct Grid_place
@@ -69,12 +73,15 @@ public:
     : m_masks(masks), m_outlines(outlines), m_free(size)
   {}
 
-  // None if a chart finds no place.
-  std::optional<std::vector<Grid_place> > pack(const Packing_strategy& strategy)
+  // None if a chart finds no place, or once `go_further()` does not want more.
+  std::optional<std::vector<Grid_place> > pack(const Packing_strategy& strategy,
+                                               const Go_further& go_further = always_go_further)
   {
     std::vector<Grid_place> places(m_masks.size());
     for(const int i : strategy.order)
     {
+      if(!go_further())
+        return std::nullopt;
       const std::optional<Grid_place> place = best_place(i, strategy.height_share);
       if(!place)
         return std::nullopt;

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Several_starts.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Start_run.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/early_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 
@@ -76,11 +77,16 @@ public:
       return failed;
     std::vector<Component_result> results;
     Done done;
+    constexpr double others = 0.25; // runs that may follow
+    double left = 1;                // of the work
     for(std::size_t i = 0; i < runs.size() && m_context.control.go_further(); ++i)
     {
+      const double share = left / (double(runs.size() - i) + (m_context.parameters.has_bound() ? others : 0));
+      Run_control control(m_context.control, share);
+      left -= share;
       if(i > 0 && runs[i].effort != runs[i - 1].effort)
         done = Done();
-      for(Component_result& result : results_of(runs[i], has_seeds, needs_uv || runs.size() > 1, done))
+      for(Component_result& result : results_of(runs[i], has_seeds, needs_uv || runs.size() > 1, control, done))
         if(result.has_cut || results.empty())
           results.push_back(std::move(result));
       if(!results.front().has_cut)
@@ -103,6 +109,13 @@ public:
     return best_of(results);
   }
 
+  // What is returned of a stopped run that found no map, or no cut if that is what is asked for.
+  Component_result completed_early(Component_result found, bool needs_map) const
+  {
+    complete_early<ConcurrencyTag>(m_problem, needs_map, m_context.control, found);
+    return found;
+  }
+
 private:
   // What runs with the same effort have done: the features that they led to, but for several starts that are finished, and
   // the seeds of the last one's starts, if it had several.
@@ -114,10 +127,11 @@ private:
 
   // Nothing of what has been done already.
   std::vector<Component_result> results_of(const Cutting_parameters& parameters, bool has_seeds, bool needs_map,
-                                           Done& done) const
+                                           Run_control& control, Done& done) const
   {
+    const Context context{m_context.parameters, control, m_context.clock};
     std::vector<Component_result> results;
-    const Several_starts<ConcurrencyTag> several(m_problem, m_context);
+    const Several_starts<ConcurrencyTag> several(m_problem, context);
     const bool finishes_several = has_seeds && several.serve(parameters);
     std::vector<unsigned int> seeds = finishes_several ? several.seeds(parameters.random_seed)
                                                        : seeds_of_compared_starts(m_problem, parameters);
@@ -127,7 +141,7 @@ private:
       return results;
     if(finishes_several)
       return several.run(parameters);
-    results.push_back(Start_run<ConcurrencyTag>(m_problem, parameters, m_context)(0, needs_map, done.features));
+    results.push_back(Start_run<ConcurrencyTag>(m_problem, parameters, context)(0, needs_map, done.features));
     done.features.push_back(results.front().detected_features);
     return results;
   }

@@ -107,7 +107,8 @@ private:
     parameters.number_of_shortening_solves = m_parameters.has_bound() ? solves_with_bound : solves_without_bound;
     parameters.coarse_number_of_faces
       = int(relative_size(place) * (std::min)(number_of_faces, largest_share * m_problem.mesh.number_of_faces()));
-    const Context context{parameters, m_control, m_context.clock};
+    Run_control control(m_control, Run_control::share_of_detection() / m_parameters.number_of_starts);
+    const Context context{parameters, control, m_context.clock};
     if(place == 0 || !is_coarsened(m_problem, parameters)) // one start at least sees all details
       return refined_features<ConcurrencyTag>(m_problem, start, context);
     return rough_features<ConcurrencyTag>(m_problem, coarser_version(m_problem, context), start, context);

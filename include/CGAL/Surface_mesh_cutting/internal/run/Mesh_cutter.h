@@ -190,12 +190,23 @@ private:
                     std::move(terminals),
                     Initial_cut(component.restriction(m_constraints.initial)),
                     component.topology.genus() == 0 && component.topology.border_loops == 0, many_handles};
-    Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, m_context.control, m_context.clock});
-    part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(output == Output_kind::MAP);
+    Run_control control(m_context.control, double(mesh.number_of_faces()) / m_mesh.number_of_faces());
+    Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, control, m_context.clock});
+    const bool needs_map = output == Output_kind::MAP;
+    part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(needs_map);
+    if(output != Output_kind::FEATURES && !has_result(part, output) && completes_early())
+      part = cutter.completed_early(std::move(part), needs_map);
     part.cost *= cost_unit;
     for(Trade_off& t : part.trade_offs)
       t.cut_cost *= cost_unit;
     return part;
+  }
+
+  // Whether a stopped run makes do with cuts and maps that take little time: on larger surfaces, even these take too much.
+  bool completes_early() const
+  {
+    constexpr int largest = 50000; // faces
+    return m_context.control.is_stopped() && m_mesh.number_of_faces() <= largest;
   }
 
   // Whether loops that cut the handles may leave more borders than a tree that is proven shortest connects.
@@ -354,19 +365,7 @@ private:
     if(keeps_bound)
       finding = Finding(); // even if a component alone misses the bound
     else
-      finding = bound_missed(faces_above_bound(result)).finding;
-  }
-
-  std::vector<int> faces_above_bound(const Mesh_result& result) const
-  {
-    using namespace Surface_mesh_parameterization::internal;
-    const std::vector<double> energies = face_energies<Symmetric_Dirichlet_energy>(
-      rest_shapes(m_mesh.triangles(), m_mesh.points(), execution), result.chart.triangles(), result.uv, execution);
-    std::vector<int> faces;
-    for(int f = 0; f < int(energies.size()); ++f)
-      if(energies[f] > m_context.parameters.maximum_average_distortion)
-        faces.push_back(f);
-    return faces;
+      finding = bound_missed(result.average_energy, m_context.parameters.maximum_average_distortion).finding;
   }
 
   static constexpr Surface_mesh_parameterization::internal::Execution execution

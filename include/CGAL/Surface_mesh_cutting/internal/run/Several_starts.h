@@ -82,9 +82,15 @@ public:
   std::vector<Component_result> run(const Cutting_parameters& parameters) const
   {
     constexpr int number_of_finalists = 2;
-    std::deque<Run> runs; // which starts refer to
-    for(unsigned int seed : seeds(parameters.random_seed))
-      runs.emplace_back(m_problem, of_start(parameters, int(runs.size()), seed), m_context);
+    std::deque<Run_control> controls; // which runs refer to
+    std::deque<Run> runs;             // which starts refer to
+    const std::vector<unsigned int> seeds = this->seeds(parameters.random_seed);
+    for(unsigned int seed : seeds)
+    {
+      controls.emplace_back(m_context.control, 1. / double(seeds.size()));
+      runs.emplace_back(m_problem, of_start(parameters, int(runs.size()), seed),
+                        Context{m_context.parameters, controls.back(), m_context.clock});
+    }
     std::vector<Begun> starts = prepared(runs);
     std::vector<double> costs;
     for(const Begun& start : starts)

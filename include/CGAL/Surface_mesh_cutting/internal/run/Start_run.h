@@ -222,7 +222,7 @@ private:
   void say_if_missed(Component_result& result) const
   {
     if(result.status && result.energy > m_parameters.maximum_average_distortion)
-      result.status = bound_missed();
+      result.status = bound_missed(result.energy, m_parameters.maximum_average_distortion);
   }
 
   void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const

@@ -115,16 +115,16 @@ Detected_features cheapest_features_of_starts(const Problem& problem, int first_
   const std::vector<Cutting_parameters> starts = parameters_of_starts(context.parameters);
   std::vector<Detected_features> found(starts.size());
   const Coarse_mesh still_coarser = coarser_version(problem, Context{starts.back(), context.control, context.clock});
-  const auto found_with = [&](const Cutting_parameters& parameters)
+  const auto found_with = [&](const Cutting_parameters& parameters, Run_control& control)
   {
     return rough_features<ConcurrencyTag>(problem, still_coarser, first_start + 1,
-                                          Context{parameters, context.control, context.clock});
+                                          Context{parameters, control, context.clock});
   };
   execute(execution_of<ConcurrencyTag>(), int(starts.size()), [&](int i)
   {
-    found[i] = i > 0 ? found_with(without_moved_ends(starts[i]))
-                     : coarse_features<ConcurrencyTag>(problem, first_start,
-                                                       Context{starts[i], context.control, context.clock});
+    Run_control control(context.control, Run_control::share_of_detection() / double(starts.size()));
+    found[i] = i > 0 ? found_with(without_moved_ends(starts[i]), control)
+                     : coarse_features<ConcurrencyTag>(problem, first_start, Context{starts[i], control, context.clock});
   });
   const auto rank = [&](std::size_t i)
   {
@@ -137,7 +137,7 @@ Detected_features cheapest_features_of_starts(const Problem& problem, int first_
       promising = i;
   if(promising == 0)
     return std::move(found[0]);
-  found[promising] = found_with(starts[promising]);
+  found[promising] = found_with(starts[promising], context.control);
   const bool is_better = found[0].status && found[promising].status && rank(promising) < rank(0);
   return std::move(found[is_better ? promising : 0]);
 }

@@ -94,7 +94,10 @@ Indexed_status run_method(const Adapter& adapter, Output_kind output, const Writ
   const Mesh_result found = cut_indexed_mesh<ConcurrencyTag>(adapter.mesh(), output, round, constraints, context);
   translate(found, adapter, result);
   if(found.has_result)
+  {
+    context.control.finish();
     write(adapter, found);
+  }
   Indexed_status status = found.status;
   if(context.control.is_stopped())
     status.finding = stopped_status().finding; // whatever else was found may come from that

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Status_code.h>
 
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,15 +59,16 @@ struct Indexed_status
 
 inline Indexed_status stopped_status()
 {
-  return Indexed_status(Status_code::STOPPED, "the visitor or the time limit ended the run");
+  return Indexed_status(Status_code::STOPPED, "stopped before all was done");
 }
 
-// `faces`: those in the way, if they are known.
-inline Indexed_status bound_missed(std::vector<int> faces = {})
+inline Indexed_status bound_missed(double reached, double bound)
 {
-  const Element_kind kind = faces.empty() ? Element_kind::NONE : Element_kind::FACE;
-  return Indexed_status(Status_code::BOUND_NOT_REACHED, "no cut was found whose map meets the bound on the distortion",
-                        kind, std::move(faces));
+  std::ostringstream message;
+  message.precision(6);
+  message << "no cut was found whose map keeps the bound on the distortion: the mean energy is " << reached << ", the bound "
+          << bound;
+  return Indexed_status(Status_code::BOUND_NOT_REACHED, message.str());
 }
 
 } // namespace internal

@@ -105,7 +105,7 @@ private:
     find_neighborhood(v, around);
     around.costs.clear();
     const Candidate none{std::numeric_limits<double>::infinity(), v, -1};
-    if(m_keeps_tips && around.fan.size() == 1)
+    if((m_keeps_tips && around.fan.size() == 1) || around.ring.size() > Collapsible_chart::many_neighbors)
       return none;
     for(int j = 0; j < int(around.ring.size()); ++j)
     {

@@ -106,9 +106,13 @@ public:
       neighbors.push_back(source(previous_halfedge(fan.back())));
   }
 
+  // More neighbors than vertices of usual surfaces have. To judge collapses of such a vertex or into it would take time that is
+  // quadratic in their number, so there are none.
+  static constexpr int many_neighbors = 1000;
+
   // Whether merging `v` into its neighbor ring[j] leaves a chart of the same topology: a border
   // vertex moves along the border only, and the two have no common neighbors but those across their
-  // edge (link condition).
+  // edge (link condition). False where the neighbor has many neighbors itself.
   bool can_collapse(int v, const std::vector<int>& fan, const std::vector<int>& ring, int j) const
   {
     const bool is_border = is_on_border(v);
@@ -129,10 +133,10 @@ public:
       return false;
     };
     const int u = ring[j], first = m_halfedges[u];
-    int h = first;
+    int h = first, number = 0;
     do
     {
-      if(is_common(target(h)))
+      if(is_common(target(h)) || ++number > many_neighbors)
         return false;
       const int before = previous_halfedge(h);
       if(m_opposites[before] < 0)
