@@ -65,6 +65,7 @@ Packing_options read_packing_options(const Call& call)
   read(call, "margin", options.margin);
   read(call, "texture_size", options.texture_size);
   options.effort = SMC::internal::effort_of(read_name(call, "effort"));
+  options.rotation = SMC::internal::rotation_of(read_name(call, "rotate"));
   return options;
 }
 
