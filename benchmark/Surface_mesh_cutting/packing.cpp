@@ -27,6 +27,7 @@
 namespace {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
+using CGAL::Surface_mesh_cutting::Chart_rotation;
 using CGAL::Surface_mesh_cutting::Effort;
 using CGAL::Surface_mesh_parameterization::internal::Triangle;
 
@@ -186,7 +187,7 @@ int main(int argc, char** argv)
     CGAL::Surface_mesh_cutting::internal::Run_control control;
     CGAL::Real_timer timer;
     timer.start();
-    const auto packed = Chart_packer<Tag>(outlines, margin, effort, control).pack();
+    const auto packed = Chart_packer<Tag>(outlines, margin, effort, Chart_rotation::ANY, control).pack();
     timer.stop();
     const double fills[4] = {fill_of_shelves(outlines, margin), fill_of_bitmap(outlines, margin, texture_size),
                              packed ? packed->scale * packed->scale : 0, limit_of_fill(outlines, margin)};

@@ -13,6 +13,7 @@
 #include "Named_surface.h"
 #include "Run_monitor.h"
 
+#include <CGAL/Surface_mesh_cutting/Chart_rotation.h>
 #include <CGAL/Surface_mesh_cutting/Connection.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/unwrap_polygon_soup.h>
@@ -50,6 +51,7 @@ struct Packing_options
   double margin = 2;
   int texture_size = 1024;
   SMC::Effort effort = SMC::Effort::DEFAULT;
+  SMC::Chart_rotation rotation = SMC::Chart_rotation::AUTOMATIC;
 };
 
 // A map: its points, and which of them each corner of the soup has.

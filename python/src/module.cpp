@@ -14,6 +14,7 @@
 #include "pack.h"
 #include "supervise.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/rotation_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 
 #include <optional>
@@ -65,6 +66,7 @@ Packing_options read_packing_options(const Call& call)
   read(call, "margin", options.margin);
   read(call, "texture_size", options.texture_size);
   options.effort = SMC::internal::effort_of(read_name(call, "effort"));
+  options.rotation = SMC::internal::rotation_of(read_name(call, "rotate"));
   return options;
 }
 

@@ -64,7 +64,8 @@ std::vector<double> uvs_of_corners(const Soup_adapter& adapter, const SMC::inter
 SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
                                     const Packing_options& options, bool do_bijective, Run_monitor& monitor)
 {
-  const SMC::internal::Packing_parameters parameters{{options.margin, options.texture_size}, do_bijective, options.effort};
+  const SMC::internal::Packing_parameters parameters{{options.margin, options.texture_size}, do_bijective, options.effort,
+                                                   options.rotation};
   SMC::internal::Indexed_packing result;
   result.status = check_parameters(parameters);
   if(result.status)

@@ -2,6 +2,7 @@
 
 #include "Progress_visitor.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/rotation_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 #include <CGAL/Surface_mesh_cutting/pack_charts.h>
 
@@ -52,6 +53,7 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
     mesh, is_cut, uvs,
     CGAL::parameters::margin(options.margin)
       .texture_size(options.texture_size)
+      .chart_rotation(SMC::internal::rotation_of(options.rotate))
       .do_bijective(is_injective(options))
       .effort(SMC::internal::effort_of(options.effort))
       .visitor(std::ref(visitor)));

@@ -42,16 +42,15 @@ namespace Surface_mesh_cutting {
 /// factor, which it makes large. What counts is their outlines, not their boxes: small charts find places in the bays
 /// and holes of large ones.
 ///
-/// A chart is a part of the surface that is connected through edges not cut; it need not be a disk. A single chart is
-/// turned so that the square around it is smallest.
+/// A chart is a part of the surface that is connected through edges not cut; it need not be a disk.
 ///
 /// The result is proven as `certify_packing()` does, with the coordinates that `halfedge_uv_map` holds; those may also
 /// be of type `float` or of an exact number type.
 ///
 /// Charts are drawn on grids of 512 to 4096 cells along a side, in 4 to 16 turns. Let \f$ c \f$ be their number; then the
 /// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts. Up to 1000
-/// charts then leave the grid and push each other apart, turned as they like; `effort` says how many tries that takes per
-/// chart: some seconds for a hundred charts with the default.
+/// charts then leave the grid and push each other apart; `effort` says how many tries that takes per chart: some seconds
+/// for a hundred charts with the default. Up to 100 charts are packed twice where `chart_rotation` is left to decide.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
@@ -80,6 +79,11 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{the number of texels along a side of the square; at least 1}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`1024`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{chart_rotation}
+///     \cgalParamDescription{how charts may be turned}
+///     \cgalParamType{`Surface_mesh_cutting::Chart_rotation`}
+///     \cgalParamDefault{`Chart_rotation::AUTOMATIC`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_bijective}
 ///     \cgalParamDescription{whether no chart may overlap itself, either}

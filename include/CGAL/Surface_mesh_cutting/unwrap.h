@@ -44,7 +44,8 @@ namespace Surface_mesh_cutting {
 /// \param tmesh the surface; it is not modified
 /// \param edge_is_cut_map receives `true` or `false` for each edge
 /// \param halfedge_uv_map receives, at each halfedge `h` that is not on the border, the UV of the corner
-///        of `face(h, tmesh)` at `target(h, tmesh)`, at the scale of the surface
+///        of `face(h, tmesh)` at `target(h, tmesh)`, at the scale of the surface; charts
+///        lie side by side, aligned with the axes
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// Both maps stay unchanged unless `Cut_result::has_result`.

@@ -46,6 +46,7 @@ CGAL_add_named_parameter(use_uniform_directions_t, use_uniform_directions, use_u
 CGAL_add_named_parameter(occlusion_radius_t, occlusion_radius, occlusion_radius)
 CGAL_add_named_parameter(margin_t, margin, margin)
 CGAL_add_named_parameter(texture_size_t, texture_size, texture_size)
+CGAL_add_named_parameter(chart_rotation_t, chart_rotation, chart_rotation)
 
 // Names that CGAL itself has only since a later version
 #if CGAL_VERSION_NR < 1060100000

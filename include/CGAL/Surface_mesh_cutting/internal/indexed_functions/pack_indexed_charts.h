@@ -15,8 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
-#include <CGAL/Surface_mesh_cutting/internal/packing/Chart_packer.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packing_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/pack_outlines.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 
@@ -113,7 +113,8 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   const double factor = area > 0 ? 1 / std::sqrt(area) : 1;
   const std::vector<Chart_outline> outlines = chart_outlines(chart, parts, uv, factor);
   const std::optional<Packed_charts> packed
-    = Chart_packer<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), parameters.effort, control).pack();
+    = pack_outlines<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), parameters.effort,
+                                    parameters.rotation, control);
   if(!packed)
     packing.status = Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                                     "the margins around " + std::to_string(parts.number) + " charts leave no room for them");

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Chart_rotation.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Grid_packing.h>
@@ -45,26 +46,43 @@ template <typename ConcurrencyTag>
 class Chart_packer
 {
 public:
-  // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square. The
-  // reference to the control is kept.
-  Chart_packer(std::vector<Chart_outline> outlines, double margin, Effort effort, Run_control& control)
-    : m_outlines(std::move(outlines)), m_margin(margin), m_effort(effort), m_control(control)
+  // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square.
+  // `rotation` is a decided one. References are kept.
+  Chart_packer(const std::vector<Chart_outline>& outlines, double margin, Effort effort, Chart_rotation rotation,
+               Run_control& control)
+    : m_outlines(outlines), m_margin(margin), m_effort(effort), m_rotation(rotation), m_control(control)
   {}
 
   // None if no scale was found at which the margins leave room. A run that is ended keeps what it found first.
   std::optional<Packed_charts> pack()
   {
+    pack_on_grids();
+    return grow_off_grid();
+  }
+
+  // At which some chart alone fills the square.
+  double largest_scale() const
+  {
+    double longest = 0;
+    for(const Chart_outline& outline : m_outlines)
+      longest = (std::max)(longest, smallest_square(outline));
+    return side() / longest;
+  }
+
+  // The first part, after which packings with different rotations can be compared.
+  std::optional<Packed_charts> pack_on_grids()
+  {
     m_control.report(Phase::PACK, 0);
     if(!(side() > 0))
       return std::nullopt;
     if(m_outlines.size() == 1)
-      return pack_one();
+      return m_best = pack_one();
     choose_turns();
     choose_strategies();
     find_limit();
     // On the finest grid, charts of average size are some dozen cells wide; the time to place one grows with its cells.
-    const bool are_few = int(m_outlines.size()) <= several, are_many = int(m_outlines.size()) > many;
-    const int coarsest = are_many ? 1024 : 512, finest = are_few ? 512 : are_many ? 4096 : 1024;
+    const bool are_few = int(m_outlines.size()) <= several;
+    const int coarsest = are_many() ? 1024 : 512, finest = are_few ? 512 : are_many() ? 4096 : 1024;
     if(!find_first(coarsest))
       return std::nullopt;
     for(int resolution = coarsest; resolution <= finest; resolution *= 2)
@@ -73,7 +91,13 @@ public:
       grow(resolution, resolution == coarsest ? 1.08 : 1.03, resolution < finest ? 1.02 : 1.004);
       m_strategies.resize((std::min)(m_strategies.size(), strategies_on_fine_grids));
     }
-    if(!are_many)
+    return m_best;
+  }
+
+  // The second part.
+  std::optional<Packed_charts> grow_off_grid()
+  {
+    if(m_best && m_outlines.size() > 1 && !are_many())
       push_apart();
     return m_best;
   }
@@ -81,6 +105,20 @@ public:
 private:
   static constexpr int several = 100, many = 1000; // charts
   static constexpr std::size_t strategies_on_fine_grids = 2;
+
+  bool are_many() const { return int(m_outlines.size()) > many; }
+
+  // The turn, of those allowed, after which the smallest square around the chart is smallest.
+  double smallest_angle(const Chart_outline& outline) const
+  {
+    return m_rotation == Chart_rotation::ANY ? tightest_square_angle(outline)
+         : m_rotation == Chart_rotation::QUARTER ? alignment_angle(outline) : 0;
+  }
+
+  double smallest_square(const Chart_outline& outline) const
+  {
+    return outline.extent(smallest_angle(outline)).maxCoeff();
+  }
 
   // Of the square inside of the margin.
   double side() const { return 1 - 2 * m_margin; }
@@ -92,7 +130,7 @@ private:
     Packed_charts packed;
     packed.motions.resize(1);
     Chart_motion& motion = packed.motions.front();
-    motion.angle = tightest_square_angle(outline);
+    motion.angle = smallest_angle(outline);
     packed.scale = side() * (1 - rounding) / outline.extent(motion.angle).maxCoeff();
     const double c = std::cos(motion.angle), s = std::sin(motion.angle);
     Surface_mesh_parameterization::internal::Bounding_box<2> box;
@@ -102,14 +140,20 @@ private:
     return packed;
   }
 
-  // Sides of the smallest box along the axes, and turns between; all up to half a turn.
+  // Sides of the smallest box along the axes, and turns between, unless only some are allowed; all up to half a turn.
   void choose_turns()
   {
-    const int number = int(m_outlines.size()) <= several ? 8 : int(m_outlines.size()) <= many ? 4 : 2;
+    if(m_rotation == Chart_rotation::NONE)
+    {
+      m_turns.assign(m_outlines.size(), {0.});
+      return;
+    }
+    const int number = m_rotation == Chart_rotation::QUARTER ? 2 : int(m_outlines.size()) <= several ? 8 : are_many() ? 2 : 4;
     m_turns.resize(m_outlines.size());
     execute(execution_of<ConcurrencyTag>(), int(m_outlines.size()), [&](int i)
     {
-      const double first = smallest_box_angle(m_outlines[i]);
+      const double first = m_rotation == Chart_rotation::QUARTER ? alignment_angle(m_outlines[i])
+                                                                 : smallest_box_angle(m_outlines[i]);
       // Quarter turns come first, that with the chart lying on its side before that with it upright.
       const Eigen::Vector2d size = m_outlines[i].extent(first);
       const double quarter = CGAL_PI / 2, start = size.x() >= size.y() ? first : first + quarter;
@@ -138,7 +182,7 @@ private:
     for(const std::vector<int>* order : {&by_area, &by_box, &by_length})
       for(const double height_share : {1., 0.5})
         m_strategies.push_back({*order, height_share});
-    if(int(m_outlines.size()) > many)
+    if(are_many())
       m_strategies.resize(2);
     else if(int(m_outlines.size()) <= several && m_effort != Effort::FAST)
       add_shuffled(by_box);
@@ -161,15 +205,12 @@ private:
   // The scale at which a single chart fills the square; that chart may lie as it has to then.
   void find_limit()
   {
-    double longest = 0;
+    m_limit = largest_scale();
+    if(m_rotation != Chart_rotation::ANY)
+      return;
     std::size_t limiting = 0;
-    for(std::size_t i = 0; i < m_outlines.size(); ++i)
-      if(const double extent = m_outlines[i].extent(tightest_square_angle(m_outlines[i])).maxCoeff(); extent > longest)
-      {
-        longest = extent;
-        limiting = i;
-      }
-    m_limit = side() / longest;
+    while(side() / smallest_square(m_outlines[limiting]) > m_limit)
+      ++limiting;
     for(int quarters = 0; quarters < 2; ++quarters)
       m_turns[limiting].push_back(tightest_square_angle(m_outlines[limiting]) + quarters * CGAL_PI / 2);
   }
@@ -223,7 +264,7 @@ private:
     std::vector<std::optional<Rigid_chart> > built(m_outlines.size());
     const double reach = Off_grid_growth::reach(m_margin, m_best->scale);
     execute(execution_of<ConcurrencyTag>(), int(m_outlines.size()), [&](int i)
-    { built[i].emplace(simplified_outline(m_outlines[i].segments, Off_grid_growth::tolerance), reach); });
+    { built[i].emplace(simplified_outline(m_outlines[i].segments, Off_grid_growth::tolerance), reach, m_rotation); });
     std::vector<Rigid_chart> charts;
     for(std::optional<Rigid_chart>& chart : built)
       charts.push_back(std::move(*chart));
@@ -238,7 +279,8 @@ private:
       return false;
     const Go_further go_further = m_best ? Go_further(m_control) : always_go_further; // the first place is needed in any case
     const std::vector<Chart_masks> masks
-      = chart_masks<ConcurrencyTag>(m_outlines, m_turns, scale * resolution, m_margin * resolution);
+      = chart_masks<ConcurrencyTag>(m_outlines, m_turns, scale * resolution, m_margin * resolution,
+                                    m_rotation != Chart_rotation::NONE);
     using Places = std::optional<std::vector<Grid_place> >;
     std::vector<Places> found(m_strategies.size());
     execute(execution_of<ConcurrencyTag>(), int(m_strategies.size()), [&](int i)
@@ -275,9 +317,10 @@ private:
     return packed;
   }
 
-  const std::vector<Chart_outline> m_outlines;
+  const std::vector<Chart_outline>& m_outlines;
   const double m_margin;
   const Effort m_effort;
+  const Chart_rotation m_rotation;
   Run_control& m_control;
   std::vector<std::vector<double> > m_turns; // angles
   std::vector<Packing_strategy> m_strategies;

@@ -114,7 +114,7 @@ private:
     return depth;
   }
 
-  // The best of many places anywhere, turned as before, by quarters, or anyhow.
+  // The best of many places anywhere.
   void search(int i, Rigid_motion& best, double& least)
   {
     constexpr int turns = 16;
@@ -122,8 +122,7 @@ private:
     m_map.look_from(i, [&](int j) { return weight(i, j); });
     for(int k = 0; k < turns; ++k)
     {
-      const double angle = k % 2 == 0 ? m_random.below(4) * CGAL_PI / 2 + m_motions[i].angle()
-                                      : m_random.share() * 2 * CGAL_PI;
+      const double angle = other_angle(i, k % 2 == 0);
       m_map.try_places(i, angle, m_random, found);
     }
     for(auto& [energy, motion] : found)
@@ -134,6 +133,18 @@ private:
         least = energy;
         best = motion;
       }
+    }
+  }
+
+  // As the chart may be turned: as before, by quarters, or anyhow.
+  double other_angle(int i, bool prefers_quarters)
+  {
+    const double angle = m_motions[i].angle();
+    switch(m_charts[i].rotation)
+    {
+      case Chart_rotation::NONE: return angle;
+      case Chart_rotation::QUARTER: return m_random.below(4) * CGAL_PI / 2 + angle;
+      default: return prefers_quarters ? m_random.below(4) * CGAL_PI / 2 + angle : m_random.share() * 2 * CGAL_PI;
     }
   }
 
@@ -166,18 +177,18 @@ private:
     constexpr double damping = 1e-3;
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Eigen::Vector3d side = Eigen::Vector3d::Zero();
-    const double radius = m_charts[i].radius; // measures turns in lengths
+    const double lever = m_charts[i].lever();
     double weights = 0;
     for(const auto& [contact, weight] : m_contacts)
     {
-      const Eigen::Vector3d direction = contact.direction(motion.translation(), radius);
+      const Eigen::Vector3d direction = contact.direction(motion.translation(), lever);
       matrix += weight * direction * direction.transpose();
       side += weight * contact.depth * direction;
       weights += weight;
     }
     matrix.diagonal().array() += damping * weights;
-    Eigen::Vector3d step = limited_step(matrix.ldlt().solve(side), radius);
-    step.z() /= radius;
+    Eigen::Vector3d step = limited_step(matrix.ldlt().solve(side), m_charts[i].radius);
+    step.z() /= lever;
     return step;
   }
 

@@ -44,11 +44,11 @@ struct Contact
   double depth;
 
   // By how much a chart with that center moves along the normal, for its translation and for a turn, which is measured
-  // as a length at `radius`.
-  Eigen::Vector3d direction(const Eigen::Vector2d& center, double radius) const
+  // as a length at the end of a lever.
+  Eigen::Vector3d direction(const Eigen::Vector2d& center, double lever) const
   {
     const Eigen::Vector2d arm = point - center;
-    return {normal.x(), normal.y(), (arm.x() * normal.y() - arm.y() * normal.x()) / radius};
+    return {normal.x(), normal.y(), (arm.x() * normal.y() - arm.y() * normal.x()) / lever};
   }
 };
 

@@ -46,11 +46,11 @@ struct Packing_strategy
   double height_share; // what is low: at 1 the top of a chart, at 0 its bottom
 };
 
-using Chart_masks = std::vector<Chart_mask>; // two for each turn of a chart, of which the second is upside down
+using Chart_masks = std::vector<Chart_mask>; // for each turn of a chart one or, the second upside down, two
 
 template <typename ConcurrencyTag>
 std::vector<Chart_masks> chart_masks(const std::vector<Chart_outline>& outlines, const std::vector<std::vector<double> >& turns,
-                                     double factor, double margin)
+                                     double factor, double margin, bool with_upside_down = true)
 {
   std::vector<Chart_masks> masks(outlines.size());
   execute(execution_of<ConcurrencyTag>(), int(outlines.size()), [&](int i)
@@ -59,7 +59,8 @@ std::vector<Chart_masks> chart_masks(const std::vector<Chart_outline>& outlines,
     for(const double angle : turns[i])
     {
       masks[i].emplace_back(outlines[i], angle, factor, margin);
-      masks[i].push_back(masks[i].back().upside_down());
+      if(with_upside_down)
+        masks[i].push_back(masks[i].back().upside_down());
     }
   });
   return masks;

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Chart_rotation.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packing_margin.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
@@ -32,6 +33,7 @@ struct Packing_parameters
   Packing_margin margin;
   bool do_bijective; // whether it is also to be proven that no chart overlaps itself
   Effort effort = Effort::DEFAULT;
+  Chart_rotation rotation = Chart_rotation::AUTOMATIC;
 };
 
 // What packing found, in terms of the indexed chart.

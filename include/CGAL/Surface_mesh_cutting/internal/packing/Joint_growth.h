@@ -132,12 +132,12 @@ private:
       m_entries.emplace_back(k, k, damping);
     for(const auto& [chart, other, contact] : m_contacts)
     {
-      const Eigen::Vector3d row = contact.direction(motions[chart].translation(), m_charts[chart].radius);
+      const Eigen::Vector3d row = contact.direction(motions[chart].translation(), m_charts[chart].lever());
       add_product(chart, row, chart, row);
       right.segment<3>(3 * chart) += contact.depth * row;
       if(other < 0)
         continue;
-      const Eigen::Vector3d other_row = -contact.direction(motions[other].translation(), m_charts[other].radius);
+      const Eigen::Vector3d other_row = -contact.direction(motions[other].translation(), m_charts[other].lever());
       add_product(other, other_row, other, other_row);
       right.segment<3>(3 * other) += contact.depth * other_row;
       if(chart > other)
@@ -166,9 +166,8 @@ private:
   {
     for(std::size_t i = 0; i < motions.size(); ++i)
     {
-      const double radius = m_charts[i].radius;
-      const Eigen::Vector3d move = limited_step(moves.segment<3>(3 * Eigen::Index(i)), radius);
-      motions[i] = Rigid_motion(motions[i].angle() + move.z() / radius, motions[i].translation() + move.head<2>());
+      const Eigen::Vector3d move = limited_step(moves.segment<3>(3 * Eigen::Index(i)), m_charts[i].radius);
+      motions[i] = Rigid_motion(motions[i].angle() + move.z() / m_charts[i].lever(), motions[i].translation() + move.head<2>());
     }
   }
 

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -53,10 +54,11 @@ struct Rigid_chart
   std::vector<Eigen::Vector2d> samples; // of the outline, all corners among them that can be closest to another chart
   std::vector<Sample_block> blocks;     // of samples
   double radius = 0;                    // of a circle around the origin
+  Chart_rotation rotation;
 
   // `reach`: up to which distance the field is asked for.
-  Rigid_chart(std::vector<Outline_segment> segments, double reach)
-    : outline(std::move(segments)), field(outline, reach)
+  Rigid_chart(std::vector<Outline_segment> segments, double reach, Chart_rotation rotation = Chart_rotation::ANY)
+    : outline(std::move(segments)), field(outline, reach), rotation(rotation)
   {
     constexpr double samples_between_corners = 30;
     double perimeter = 0;
@@ -84,6 +86,12 @@ struct Rigid_chart
     constexpr int block_size = 6;
     for(int begin = 0; begin < int(samples.size()); begin += block_size)
       add_block(begin, (std::min)(begin + block_size, int(samples.size())));
+  }
+
+  // Where a turn is measured as a length: at infinity if the chart keeps its angle, as no push turns it then.
+  double lever() const
+  {
+    return rotation == Chart_rotation::ANY ? radius : std::numeric_limits<double>::infinity();
   }
 
 private:

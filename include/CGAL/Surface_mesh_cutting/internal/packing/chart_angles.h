@@ -21,6 +21,7 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <vector>
 
@@ -88,6 +89,37 @@ inline double tightest_square_angle(const Chart_outline& outline)
     angles.push_back(low);
   }
   return cheapest_angle(angles, [&](double angle) { return outline.extent(angle).maxCoeff(); });
+}
+
+// The mean of the directions of a chart's border, each taken as an angle times four, by which those at right angles are
+// alike: of length 1 if all segments are parallel or at right angles, and near 0 on round and on jagged charts.
+inline std::complex<double> mean_direction(const Chart_outline& outline)
+{
+  std::complex<double> sum = 0;
+  double length = 0;
+  for(const Outline_segment& s : outline.segments)
+  {
+    const std::complex<double> along(s.target.x() - s.source.x(), s.target.y() - s.source.y());
+    const double part = std::abs(along);
+    if(!(part > 0))
+      continue;
+    const std::complex<double> direction = along / part, doubled = direction * direction;
+    sum += part * doubled * doubled;
+    length += part;
+  }
+  return length > 0 ? sum / length : 0;
+}
+
+// The turn of at most an eighth either way after which the chart is aligned with the axes: its border runs along them as
+// far as it can or, where no direction stands out, the smallest box around it does.
+inline double alignment_angle(const Chart_outline& outline)
+{
+  constexpr double clear = 0.5;
+  const std::complex<double> direction = mean_direction(outline);
+  if(std::abs(direction) > clear)
+    return -std::arg(direction) / 4;
+  const double angle = smallest_box_angle(outline);
+  return angle > CGAL_PI / 4 ? angle - CGAL_PI / 2 : angle;
 }
 
 } // namespace internal

@@ -35,7 +35,8 @@ Packing_parameters read_packing_parameters(const NamedParameters& np)
   return {{double(choose_parameter(get_parameter(np, internal_np::margin), default_margin)),
            int(choose_parameter(get_parameter(np, internal_np::texture_size), default_texture_size))},
           bool(choose_parameter(get_parameter(np, internal_np::do_bijective), true)),
-          choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT)};
+          choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT),
+          choose_parameter(get_parameter(np, internal_np::chart_rotation), Chart_rotation::AUTOMATIC)};
 }
 
 inline Indexed_status check_parameters(const Packing_parameters& parameters)

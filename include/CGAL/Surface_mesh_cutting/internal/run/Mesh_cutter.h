@@ -19,10 +19,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/restrict_to_feasible_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/side_by_side.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Component_cutter.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
@@ -87,10 +87,7 @@ public:
       result.trade_offs.clear();
     result.has_result = true;
     if(output == Output_kind::MAP)
-    {
-      lay_side_by_side(result);
       certify(result);
-    }
     return result;
   }
 
@@ -266,49 +263,17 @@ private:
         result.uv[result.chart.triangles()[component.faces[f]][k]] = part.uv[part.chart.triangles()[f][k]];
   }
 
-  // Moves several charts apart: rows of about the width of a square that holds all, charts in the order of their heights.
-  static void lay_side_by_side(Mesh_result& result)
+  // The charts lie along the axes, unless the map does not stand being turned: triangles may be thinner than that rounds.
+  Certified_map held_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv) const
   {
-    const Connected_parts parts(result.chart.opposites());
-    if(parts.number == 1)
-      return;
-    const std::vector<int> part = Surface_mesh_parameterization::internal::parts_of_vertices(result.chart, parts);
-    using Box = Surface_mesh_parameterization::internal::Bounding_box<2>;
-    std::vector<Box> boxes(parts.number);
-    for(std::size_t v = 0; v < part.size(); ++v)
-      if(part[v] >= 0)
-        boxes[part[v]].add(result.uv[v]);
-    std::vector<std::pair<double, int> > order; // height, downwards, and part
-    double area = 0, widest = 0;
-    for(int i = 0; i < parts.number; ++i)
+    Certified_map map;
+    for(const bool do_align : {true, false})
     {
-      const Eigen::Vector2d size = boxes[i].size();
-      area += size.x() * size.y();
-      widest = (std::max)(widest, size.x());
-      order.emplace_back(-size.y(), i);
+      map = certified_map(chart, side_by_side(chart, uv, do_align), m_context.parameters.do_bijective, m_round, execution);
+      if(map.certificate)
+        break;
     }
-    std::sort(order.begin(), order.end());
-    constexpr double gap_share = 0.02;  // between charts, of the side of a square of their area: visible
-    constexpr double width_share = 1.2; // of rows, of that side: boxes and gaps leave some area empty
-    const double side = std::sqrt(area), gap = gap_share * side, width = (std::max)(widest, width_share * side);
-    Eigen::Vector2d corner(0, 0);
-    double row_height = 0;
-    std::vector<Eigen::Vector2d> shifts(parts.number);
-    for(const auto& [height, i] : order)
-    {
-      const Eigen::Vector2d size = boxes[i].size();
-      if(corner.x() > 0 && corner.x() + size.x() > width)
-      {
-        corner = Eigen::Vector2d(0, corner.y() + row_height + gap);
-        row_height = 0;
-      }
-      shifts[i] = corner - boxes[i].low;
-      corner.x() += size.x() + gap;
-      row_height = (std::max)(row_height, size.y());
-    }
-    for(std::size_t v = 0; v < part.size(); ++v)
-      if(part[v] >= 0)
-        result.uv[v] += shifts[part[v]];
+    return map;
   }
 
   // Measures the map as the caller's map will hold it and proves it free of flips and, if asked for, of overlaps; a
@@ -323,7 +288,7 @@ private:
     Certified_map map;
     Indexed_status disks;
     execute_both(execution, [&] { disks = check_disks(result.chart); },
-                 [&] { map = certified_map(result.chart, result.uv, do_bijective, m_round, execution); });
+                 [&] { map = held_map(result.chart, result.uv); });
     result.uv = std::move(map.uv);
     result.flips = map.certificate.flips;
     if(do_bijective)

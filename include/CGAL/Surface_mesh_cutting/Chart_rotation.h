@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_CHART_ROTATION_H
+#define CGAL_SURFACE_MESH_CUTTING_CHART_ROTATION_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+
+/// \ingroup PkgSurfaceMeshCuttingRef
+///
+/// how charts may be turned where they are packed; the value of the named parameter `chart_rotation`.
+///
+/// A chart is aligned with the axes if its border runs along them, as far as the border has such directions, and else if
+/// the smallest rectangle around the chart lies along them.
+enum class Chart_rotation
+{
+  AUTOMATIC, ///< like `QUARTER` if the charts then fill at least 97 % of the area that they fill with `ANY`, or if the only
+             ///< chart has straight sides at right angles, like the net of a box; and else like `ANY`. Both are tried; if
+             ///< there are more than 100 charts, what is compared are packings on a grid
+  ANY,       ///< by any angle
+  QUARTER,   ///< charts are aligned with the axes, and then turned by quarter turns only
+  NONE       ///< not at all: charts keep the direction that they come with
+};
+
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_CHART_ROTATION_H
