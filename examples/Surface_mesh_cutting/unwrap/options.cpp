@@ -34,7 +34,8 @@ texture coordinates of the place where they lie. The report lists all this in "i
 
 Output: texture coordinates lie in the unit square, charts apart by the margin and all at the same
 scale (uv_scale in the report), and no two triangles overlap. Corners share one unless a cut edge lies
-between them. From OBJ to OBJ and PLY to PLY, all else stays. Files appear when the run is complete.
+between them. From OBJ to OBJ, PLY to PLY and glTF to glTF, all else stays. Files appear when the run is
+complete.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
 of vertices, all counted from 0. For --must-cut and --initial-cut, uv stands for the seams of the
@@ -171,7 +172,7 @@ void add_output_options(CLI::App& app, Options& options)
 {
   const std::string group = "Output";
   app.add_option("-o,--output", options.output,
-                 "Mesh with texture coordinates; OBJ, or by the name's end\nbinary glTF (.glb) or PLY (.ply) "
+                 "Mesh with texture coordinates; OBJ, or by the name's end\nglTF (.glb, .gltf) or PLY (.ply) "
                  "(default: name of INPUT\nwith .uv.obj, in the current folder)")
     ->type_name("OUT")->group(group);
   app.add_option("--json", options.json, "Report of measures; - is the standard output")->type_name("FILE")->group(group);
@@ -346,7 +347,7 @@ bool is_injective(const Options& options)
 Attributes wanted_attributes(const Options& options)
 {
   return {options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off", true,
-          is_ply(options.output)};
+          is_ply(options.output), is_gltf(options.output)};
 }
 
 std::vector<std::string> constraint_files(const Options& options)
