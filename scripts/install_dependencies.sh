@@ -12,7 +12,7 @@ does_want_validator=no
 for purpose in "$@"; do
   case $purpose in
     build) wanted+=(g++ cmake make ninja-build libcgal-dev libeigen3-dev libboost-dev
-                    libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libtinygltf-dev libjs-three) ;;
+                    libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libjs-three) ;;
     test)  wanted+=(libopenmesh-dev python3 chromium assimp-utils) ;;
     python) wanted+=(python3-dev pybind11-dev python3-numpy python3-pytest python3-matplotlib
                      python3-pip python3-setuptools python3-wheel python3-venv) ;;

@@ -32,11 +32,11 @@ bool has_single_precision(const Layout& layout)
   return true;
 }
 
-bool can_write_glb(const Layout& layout)
+bool can_write_gltf(const Layout& layout)
 {
   try
   {
-    return !to_glb(layout, "").empty();
+    return !to_gltf(layout, "", "out.glb").empty();
   }
   catch(const Failure&)
   {
@@ -54,5 +54,5 @@ std::string find_format_fault(const Layout& layout)
     return "OBJ is not what was written";
   if(!is_same(read_ply(to_ply(layout, ""), attributes), layout))
     return "PLY is not what was written";
-  return can_write_glb(layout) ? "" : "glTF cannot be written";
+  return can_write_gltf(layout) ? "" : "glTF cannot be written";
 }

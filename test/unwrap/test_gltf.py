@@ -2,6 +2,7 @@
 
 import json
 import struct
+from fractions import Fraction
 
 from support import Case, joined, main, read_obj, sphere, to_glb, to_off, torus
 
@@ -52,12 +53,6 @@ def without(*keys):
 
 
 class Gltf(Case):
-    def report_if_supported(self, *arguments):
-        exit_code, report = self.report(*arguments)
-        if "without tinygltf" in report["message"]:
-            self.skipTest(report["message"])
-        return exit_code, report
-
     def test_out(self):
         self.write("in.off", to_off(SPHERE))
         exit_code, report = self.report("in.off", "-o", "out.glb", "--texture", "check.png")
@@ -79,7 +74,7 @@ class Gltf(Case):
     def test_there_and_back(self):
         self.write("in.off", to_off(joined(SPHERE, SPHERE)))
         self.assertEqual(self.report("in.off", "-o", "out.glb")[0], 0)
-        exit_code, report = self.report_if_supported("out.glb", "-o", "back.obj")
+        exit_code, report = self.report("out.glb", "-o", "back.obj")
         self.assertEqual(exit_code, 0, report["message"])
         self.assertEqual((report["vertices"], report["faces"], report["components"], report["borders"]),
                          (2 * len(SPHERE[0]), 2 * len(SPHERE[1]), 2, 0))
@@ -88,7 +83,7 @@ class Gltf(Case):
         nodes = [{"mesh": 0}, {"mesh": 0, "translation": [9, 0, 0], "scale": [2, 2, 2]},
                  {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -9, 0, 0, 1]}]  # mirrored
         self.write("in.glb", to_glb(*SPHERE, nodes))
-        exit_code, report = self.report_if_supported("in.glb", "-o", "out.obj")
+        exit_code, report = self.report("in.glb", "-o", "out.obj")
         self.assertEqual(exit_code, 0, report["message"])
         self.assertEqual((report["components"], report["genus"], report["borders"]), (3, 0, 0))
         self.assertFalse([warning for warning in report["warnings"] if "inside out" in warning])
@@ -149,7 +144,7 @@ class Gltf(Case):
         self.assertGreaterEqual(given, 3 * len(faces[::3]))
         self.assertLess(given, 3 * len(faces[::3]) + 12)  # the poles
 
-        self.report_if_supported("out.glb", "-o", "back.obj")
+        self.report("out.glb", "-o", "back.obj")
         before, after = (sorted(self.polygons_by_part(name)) for name in ("in.obj", "back.obj"))
         self.assertEqual([part[2] for part in before], [part[2] for part in after])
         self.assertEqual([part[1] for part in before], [part[1] for part in after])
@@ -175,7 +170,7 @@ class Gltf(Case):
             form = b'"indices": 1', b'"indices": 1, "mode": %d' % mode
             self.write("in.glb", with_other_text(to_glb(points, [(0, 1, 2), (3, 4, 4)]), lambda text:
                                                  text.replace(*form).replace(b'"count": 6', b'"count": 5')))
-            self.report_if_supported("in.glb", "-o", "out.obj", "--allow-overlap")
+            self.report("in.glb", "-o", "out.obj", "--allow-overlap")
             points_out, _, faces = read_obj(self.folder / "out.obj")
             found = {tuple(points.index(tuple(points_out[v])) for v, _ in face) for face in faces}
             rotations = lambda t: min((t, t[1:] + t[:1], t[2:] + t[:2]))
@@ -185,14 +180,14 @@ class Gltf(Case):
         """All nodes that do not hang below another one are read, each once."""
         nodes = [{"mesh": 0, "translation": [9, 0, 0]}, {"mesh": 0, "children": [0]}, {"mesh": 0, "translation": [0, 9, 0]}]
         self.write("in.glb", with_other_text(to_glb(*SPHERE, nodes), without("scene", "scenes")))
-        exit_code, report = self.report_if_supported("in.glb", "-o", "out.obj")
+        exit_code, report = self.report("in.glb", "-o", "out.obj")
         self.assertEqual((exit_code, report["components"]), (0, 3), report["message"])
 
     def test_not_supported(self):
         """The reason is told."""
         data = to_glb(*SPHERE)
         self.write("in.glb", data)
-        self.report_if_supported("in.glb", "-o", "out.obj")
+        self.report("in.glb", "-o", "out.obj")
         first = {"asset": {"version": "1.0"}, "scene": "main", "scenes": {"main": {"nodes": []}}}
         compressed = with_other_text(data, lambda text: text.replace(
             b'"scene": 0', b'"scene": 0, "extensionsRequired": ["KHR_draco_mesh_compression"]'))
@@ -202,10 +197,32 @@ class Gltf(Case):
             (self.folder / "out.obj").unlink(missing_ok=True)
             self.assertIn(reason, self.assert_refused(3, self.write(name, content), "-o", "out.obj")["message"])
 
+    def test_single_precision(self):
+        """The layout is proven as the file holds it: what is lost is counted and told."""
+        for number, (name, mesh) in ((10, ("strip", None)), (29, ("strip", None)), (0, ("sphere", SPHERE))):
+            points, faces = mesh or ([(0.5 ** i, 0.5 ** i * (i % 2), 0) for i in range(2 * number)],
+                                     [(i, i + 1 + i % 2, i + 2 - i % 2) for i in range(2 * number - 2)])
+            self.write("in.off", to_off((points, faces)))
+            for options in ((), ("--uv-scale", "surface")):
+                exit_code, report = self.report("in.off", "-o", "out.glb", *options)
+                self.assertEqual(exit_code, 0, report["message"])
+                description, buffer = read_glb(self.folder / "out.glb")
+                primitive = description["meshes"][0]["primitives"][0]
+                uvs = [(Fraction(u), -Fraction(v)) for u, v in
+                       read_accessor(description, buffer, primitive["attributes"]["TEXCOORD_0"])]
+                corners = [uvs[i] for (i,) in read_accessor(description, buffer, primitive["indices"])]
+                flips = sum((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) <= 0
+                            for a, b, c in zip(*[iter(corners)] * 3))
+                self.assertEqual(report["flips"], flips, (name, number))
+                self.assertEqual(any("single precision" in warning for warning in report["warnings"]),
+                                 flips > 0 or report["overlaps"] > 0)
+                if number < 20:
+                    self.assertEqual((flips, report["overlaps"]), (0, 0))
+
     def test_damaged(self):
         data = to_glb(*torus())
         self.write("in.glb", data)
-        self.report_if_supported("in.glb", "-o", "out.obj")
+        self.report("in.glb", "-o", "out.obj")
         for length in range(0, len(data) - 4, 97):
             (self.folder / "out.obj").unlink(missing_ok=True)
             self.assert_refused(3, self.write("in.glb", data[:length]), "-o", "out.obj")

@@ -13,6 +13,7 @@ std::string name_of(Data_kind kind)
     case Data_kind::MATERIALS: return "materials";
     case Data_kind::MATERIAL_FILES: return "names of material files";
     case Data_kind::IMAGES: return "images of textures";
+    case Data_kind::LOOKS_OF_MATERIALS: return "colors and textures of materials";
     case Data_kind::GROUPS: return "groups and objects";
     case Data_kind::SMOOTHING_GROUPS: return "smoothing groups";
     case Data_kind::LINES: return "lines";
@@ -23,6 +24,13 @@ std::string name_of(Data_kind kind)
     case Data_kind::UNKNOWN_STATEMENTS: return "unknown statements";
     case Data_kind::OTHER_PROPERTIES: return "other properties and elements";
     case Data_kind::OTHER_UV_SETS: return "other sets of texture coordinates";
+    case Data_kind::TANGENTS: return "tangents";
+    case Data_kind::MORPH_TARGETS: return "morph targets";
+    case Data_kind::SKINS: return "skins";
+    case Data_kind::ANIMATIONS: return "animations";
+    case Data_kind::CAMERAS: return "cameras";
+    case Data_kind::POINTS_AND_LINES: return "points and lines";
+    case Data_kind::EXTRAS: return "extras and extensions";
     case Data_kind::COMMENTS: return "comments";
   }
   return "";

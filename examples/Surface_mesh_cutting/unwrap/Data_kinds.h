@@ -16,6 +16,7 @@ enum class Data_kind
   MATERIALS,
   MATERIAL_FILES,
   IMAGES, // of textures
+  LOOKS_OF_MATERIALS, // of glTF, besides their names
   GROUPS, // and objects
   SMOOTHING_GROUPS,
   LINES,
@@ -26,6 +27,13 @@ enum class Data_kind
   UNKNOWN_STATEMENTS,
   OTHER_PROPERTIES, // of points and polygons, and elements of other kinds
   OTHER_UV_SETS,
+  TANGENTS,
+  MORPH_TARGETS,
+  SKINS,
+  ANIMATIONS,
+  CAMERAS,
+  POINTS_AND_LINES, // of glTF
+  EXTRAS, // of glTF: what users and extensions say
   COMMENTS
 };
 

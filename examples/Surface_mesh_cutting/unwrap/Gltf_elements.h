@@ -1,101 +1,64 @@
-// What accessors of a glTF file refer to.
+// What an accessor of a glTF file refers to.
 
 #ifndef UNWRAP_GLTF_ELEMENTS_H
 #define UNWRAP_GLTF_ELEMENTS_H
 
-#include "byte_order.h"
-#include "outcome.h"
-
-#include <tiny_gltf.h>
+#include "Gltf_document.h"
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace gltf {
 
-[[noreturn]] inline void fail(const std::string& reason) { throw Failure(Exit_code::UNREADABLE, reason); }
-
-template <typename Item>
-const Item& at(const std::vector<Item>& items, int index, const char* what)
-{
-  if(index < 0 || index >= int(items.size()))
-    fail(std::string("the file refers to a ") + what + " that it does not have");
-  return items[std::size_t(index)];
-}
-
-// The elements of an accessor, one after the other.
+// The elements of an accessor: in single precision or as whole numbers, one after the other or interleaved with others,
+// some of them given apart. Fails if the file does not have them. Refers to the document.
 class Elements
 {
 public:
-  Elements(const tinygltf::Model& model, int accessor)
-    : m_accessor(at(model.accessors, accessor, "accessor"))
-  {
-    if(m_accessor.sparse.isSparse)
-      fail("sparse accessors are not supported");
-    const tinygltf::BufferView& view = at(model.bufferViews, m_accessor.bufferView, "view of a buffer");
-    const std::vector<unsigned char>& data = at(model.buffers, view.buffer, "buffer").data;
-    const int stride = m_accessor.ByteStride(view);
-    const int size = tinygltf::GetComponentSizeInBytes(std::uint32_t(m_accessor.componentType))
-                     * tinygltf::GetNumComponentsInType(std::uint32_t(m_accessor.type));
-    if(size <= 0 || stride < size)
-      fail("an accessor has no valid type");
-    m_stride = std::size_t(stride);
-    const std::size_t first = view.byteOffset + m_accessor.byteOffset;
-    if(first > data.size() || (m_accessor.count > 0 && (data.size() - first < std::size_t(size) ||
-                               (data.size() - first - std::size_t(size)) / m_stride < m_accessor.count - 1)))
-      fail("the file ends before the last element of an accessor");
-    m_bytes = std::string_view(reinterpret_cast<const char*>(data.data()), data.size()).substr(first);
-  }
+  Elements(const Document& document, std::size_t accessor);
 
-  std::size_t number() const { return m_accessor.count; }
-  bool is(int component_type, int type) const
-  {
-    return m_accessor.componentType == component_type && m_accessor.type == type;
-  }
+  std::size_t number() const { return m_number; }
+  int number_of_components() const { return m_number_of_components; }
 
-  // Of one of the component types that may stand for fractions.
-  bool has_fractions(int type) const
-  {
-    return is(TINYGLTF_COMPONENT_TYPE_FLOAT, type) || is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, type)
-           || is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, type);
-  }
+  // Those of an element, as they are.
+  std::string_view bytes(std::size_t i) const { return m_bytes.substr(i * m_stride, m_size); }
+  std::size_t size() const { return m_size; }
 
-  int index(std::size_t i) const
-  {
-    const std::string_view bytes = m_bytes.substr(i * m_stride);
-    if(is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR))
-      return int((std::min)(load<std::uint32_t>(bytes, false), std::uint32_t(INT32_MAX)));
-    if(is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR))
-      return load<std::uint16_t>(bytes, false);
-    if(is(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_SCALAR))
-      return load<std::uint8_t>(bytes, false);
-    fail("indices of triangles are not numbers without a sign");
-  }
+  // Whether they are whole numbers without a sign, which may be indices; and such a number.
+  bool has_indices() const;
+  std::size_t index(std::size_t i) const;
 
-  // The first numbers of an element; whole ones are fractions of the largest.
+  // As a fraction where the accessor says that it is one.
+  double component(std::size_t i, int k) const;
+
+  // The first components.
   template <int number>
   Eigen::Matrix<double, number, 1> vector(std::size_t i) const
   {
-    const std::string_view bytes = m_bytes.substr(i * m_stride);
     Eigen::Matrix<double, number, 1> result;
     for(int k = 0; k < number; ++k)
-      result[k] = m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT ? load<float>(bytes.substr(4 * k), false)
-                : m_accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
-                    ? load<std::uint16_t>(bytes.substr(2 * k), false) / 65535.
-                    : load<std::uint8_t>(bytes.substr(k), false) / 255.;
+      result[k] = component(i, k);
     return result;
   }
 
 private:
-  const tinygltf::Accessor& m_accessor;
-  std::size_t m_stride = 0;
+  void read_type(const Json& accessor);
+  std::string_view checked(const Document& document, const Json& object, std::size_t size, std::size_t stride,
+                           std::size_t number) const;
+  void replace_sparse(const Document& document, const Json& sparse);
+  [[noreturn]] void fail_about(const std::string& reason) const;
+
+  std::size_t m_accessor, m_number = 0, m_size = 0, m_stride = 0;
+  std::size_t m_own_stride = 0; // of elements one after the other
+  int m_component_type = 0, m_number_of_components = 0;
+  std::size_t m_component_size = 0;
+  bool m_is_normalized = false;
   std::string_view m_bytes;
+  std::shared_ptr<std::string> m_own_bytes; // where the file does not have them in one place
 };
 
 } // namespace gltf

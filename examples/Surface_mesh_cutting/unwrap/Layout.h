@@ -29,6 +29,7 @@ struct Layout
   std::vector<int> corner_normals;
   Obj_statements obj_statements;
   std::shared_ptr<const Ply_source> ply_source;
+  std::shared_ptr<const Gltf_source> gltf_source;
   Data_kinds kinds;
 
   // The polygons of the surface in triangles that face up.

@@ -5,6 +5,7 @@
 #include "json_report.h"
 #include "outcome.h"
 #include "output_names.h"
+#include "read_gltf.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -58,6 +59,9 @@ std::vector<std::string> inputs_of(const Options& options)
     inputs.push_back(options.input);
   else if(const fs::path file = "/dev/stdin"; fs::is_regular_file(file, error))
     inputs.push_back(file.string());
+  if(is_gltf(options.input))
+    for(const std::string& file : files_of_gltf(options.input))
+      inputs.push_back(file);
   return inputs;
 }
 

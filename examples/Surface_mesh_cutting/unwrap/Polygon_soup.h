@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+struct Gltf_source;
 struct Ply_source;
 
 // What an OBJ file says besides geometry and looks, to be written again. What glTF says about groups and materials is
@@ -45,6 +46,8 @@ struct Polygon_soup
   std::vector<int> corner_normals; // per corner, -1 for none
   Obj_statements obj_statements;
   std::shared_ptr<const Ply_source> ply_source;
+  std::shared_ptr<const Gltf_source> gltf_source;
+  std::vector<int> point_parts; // per point: only points of the same part are welded; empty if there is one part
   Data_kinds kinds; // that the file holds, also those that are not kept
   std::vector<std::string> warnings; // about the file
 

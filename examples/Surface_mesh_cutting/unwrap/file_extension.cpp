@@ -11,7 +11,7 @@ bool is_in(const std::vector<std::string>& list, const std::string& ending)
 bool stands_for_another_format(const std::string& ending)
 {
   static const std::vector<std::string> others
-    = {".off", ".stl", ".gltf", ".fbx", ".dae", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".tga", ".webp", ".pdf"};
+    = {".off", ".stl", ".fbx", ".dae", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".tga", ".webp", ".pdf"};
   if(is_in(others, ending))
     return true;
   for(const Output_format format : {Output_format::MESH, Output_format::LINES, Output_format::MATERIAL, Output_format::PICTURE, Output_format::IMAGE,

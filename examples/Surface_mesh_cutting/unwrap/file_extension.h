@@ -23,7 +23,7 @@ enum class Output_format { MESH, LINES, MATERIAL, PICTURE, IMAGE, PAGE, REPORT }
 inline const std::vector<std::string>& endings_of(Output_format format)
 {
   static const std::vector<std::vector<std::string> > endings
-    = {{".obj", ".glb", ".ply"}, {".obj"}, {".mtl"}, {".svg"}, {".png"}, {".html", ".htm"}, {".json"}};
+    = {{".obj", ".glb", ".gltf", ".ply"}, {".obj"}, {".mtl"}, {".svg"}, {".png"}, {".html", ".htm"}, {".json"}};
   return endings[std::size_t(format)];
 }
 
@@ -33,7 +33,8 @@ std::string find_wrong_ending(const std::string& path, Output_format format);
 
 inline bool is_glb(const std::string& path) { return extension_of(path) == ".glb"; } // the binary form of glTF
 inline bool is_for_printing(const std::string& path) { return extension_of(path) == ".stl" || extension_of(path) == ".3mf"; }
+inline bool is_gltf(const std::string& path) { return is_glb(path) || extension_of(path) == ".gltf"; }
 inline bool is_ply(const std::string& path) { return extension_of(path) == ".ply"; }
-inline bool is_obj(const std::string& path) { return !is_glb(path) && !is_ply(path); } // also without an ending
+inline bool is_obj(const std::string& path) { return !is_gltf(path) && !is_ply(path); } // also without an ending
 
 #endif // UNWRAP_FILE_EXTENSION_H

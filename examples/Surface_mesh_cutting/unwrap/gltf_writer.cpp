@@ -3,16 +3,17 @@
 #include "Mesh_parts.h"
 #include "byte_order.h"
 #include "corner_normals.h"
+#include "edit_gltf.h"
+#include "file_extension.h"
 #include "outcome.h"
 #include "texture.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -20,7 +21,7 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using gltf::Json;
 
 template <typename Number>
 void append(Number number, std::string& bytes)
@@ -28,41 +29,36 @@ void append(Number number, std::string& bytes)
   store(number, false, bytes);
 }
 
-// Parts of a file begin at multiples of four.
-void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
+Json plain_material() { return {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}; }
 
 // A vertex for each different corner of each part, as attributes share indices.
-struct Glb_vertex
+struct Gltf_vertex
 {
   int part, uv, point;
   Unit_normal normal;
 
-  friend bool operator<(const Glb_vertex& v, const Glb_vertex& w)
+  friend bool operator<(const Gltf_vertex& v, const Gltf_vertex& w)
   {
     return std::tie(v.part, v.uv, v.point, v.normal) < std::tie(w.part, w.uv, w.point, w.normal);
   }
-  friend bool operator==(const Glb_vertex& v, const Glb_vertex& w) { return !(v < w) && !(w < v); }
+  friend bool operator==(const Gltf_vertex& v, const Gltf_vertex& w) { return !(v < w) && !(w < v); }
 };
 
-class Glb_writer
+class Gltf_builder
 {
 public:
-  Glb_writer(const Layout& layout, const std::string& png)
+  Gltf_builder(const Layout& layout, const std::string& png)
     : m_layout(layout), m_png(png), m_parts(find_parts(layout))
   {}
 
-  std::string run()
+  gltf::Content run()
   {
     collect_vertices();
     add_positions();
-    add_attribute("TEXCOORD_0", 2, [&](const Glb_vertex& v)
-    {
-      const std::array<double, 2>& uv = m_layout.uv_points[std::size_t(v.uv)];
-      return std::array<float, 2>{{float(uv[0]), float(1 - uv[1])}}; // images begin at the top
-    });
-    add_attribute("NORMAL", 3, [](const Glb_vertex& v) { return v.normal; });
+    add_attribute("TEXCOORD_0", 2, [&](const Gltf_vertex& v) { return gltf_uv(m_layout.uv_points[std::size_t(v.uv)]); });
+    add_attribute("NORMAL", 3, [](const Gltf_vertex& v) { return v.normal; });
     if(!m_layout.colors.empty())
-      add_attribute("COLOR_0", 3, [&](const Glb_vertex& v)
+      add_attribute("COLOR_0", 3, [&](const Gltf_vertex& v)
       {
         const std::array<double, 3>& color = m_layout.colors[std::size_t(v.point)];
         return std::array<float, 3>{{float(color[0]), float(color[1]), float(color[2])}};
@@ -92,14 +88,10 @@ public:
     }
     file["accessors"] = m_accessors;
     file["bufferViews"] = m_views;
-    file["buffers"] = {{{"byteLength", m_buffer.size()}}};
-    return assemble(file.dump(-1, ' ', false, Json::error_handler_t::replace)); // names may be no UTF-8
+    return {std::move(file), std::move(m_buffer)};
   }
 
 private:
-  static constexpr int array_buffer = 34962, element_array_buffer = 34963; // what the format calls them
-  static constexpr int unsigned_int = 5125, single = 5126;
-
   void collect_vertices()
   {
     const std::vector<Unit_normal> normals = corner_normals(m_layout);
@@ -118,14 +110,14 @@ private:
 
     m_primitives.assign(m_parts.parts.size(), Json::object());
     m_first_vertices.assign(m_parts.parts.size() + 1, 0);
-    for(const Glb_vertex& vertex : m_vertices)
+    for(const Gltf_vertex& vertex : m_vertices)
       ++m_first_vertices[std::size_t(vertex.part) + 1];
     std::partial_sum(m_first_vertices.begin(), m_first_vertices.end(), m_first_vertices.begin());
   }
 
   int add_view(const std::string& bytes)
   {
-    pad(m_buffer, '\0');
+    gltf::pad(m_buffer, '\0');
     m_views.push_back({{"buffer", 0}, {"byteOffset", m_buffer.size()}, {"byteLength", bytes.size()}});
     m_buffer += bytes;
     return int(m_views.size()) - 1;
@@ -142,23 +134,23 @@ private:
   void add_attribute(const char* name, std::size_t number, Numbers numbers)
   {
     std::string bytes;
-    for(const Glb_vertex& vertex : m_vertices)
+    for(const Gltf_vertex& vertex : m_vertices)
       for(const float x : numbers(vertex))
         append(x, bytes);
     const int view = add_view(bytes);
     m_views[std::size_t(view)]["byteStride"] = number * sizeof(float);
-    m_views[std::size_t(view)]["target"] = array_buffer;
+    m_views[std::size_t(view)]["target"] = gltf::array_buffer;
     for(std::size_t part = 0; part < m_primitives.size(); ++part)
       if(const std::size_t first = m_first_vertices[part], count = m_first_vertices[part + 1] - first; count > 0)
         m_primitives[part]["attributes"][name]
           = add_accessor({{"bufferView", view}, {"byteOffset", first * number * sizeof(float)},
-                          {"componentType", single}, {"count", count}, {"type", number == 2 ? "VEC2" : "VEC3"}});
+                          {"componentType", gltf::single}, {"count", count}, {"type", number == 2 ? "VEC2" : "VEC3"}});
   }
 
   // The format wants to know how far they reach.
   void add_positions()
   {
-    const auto position = [&](const Glb_vertex& vertex)
+    const auto position = [&](const Gltf_vertex& vertex)
     {
       const std::array<double, 3>& p = m_layout.points[std::size_t(vertex.point)];
       return std::array<float, 3>{{float(p[0]), float(p[1]), float(p[2])}};
@@ -187,7 +179,7 @@ private:
   void add_indices()
   {
     std::vector<std::string> bytes(m_parts.parts.size());
-    for(const Glb_vertex& corner : m_corners)
+    for(const Gltf_vertex& corner : m_corners)
     {
       const auto vertex = std::lower_bound(m_vertices.begin(), m_vertices.end(), corner) - m_vertices.begin();
       const std::size_t part = std::size_t(corner.part);
@@ -198,11 +190,11 @@ private:
       if(!bytes[part].empty())
       {
         m_primitives[part]["indices"]
-          = add_accessor({{"bufferView", m_views.size()}, {"byteOffset", all.size()}, {"componentType", unsigned_int},
+          = add_accessor({{"bufferView", m_views.size()}, {"byteOffset", all.size()}, {"componentType", gltf::unsigned_int},
                           {"count", bytes[part].size() / sizeof(std::uint32_t)}, {"type", "SCALAR"}});
         all += bytes[part];
       }
-    m_views[std::size_t(add_view(all))]["target"] = element_array_buffer;
+    m_views[std::size_t(add_view(all))]["target"] = gltf::element_array_buffer;
   }
 
   // Parts with the same name are one mesh. With an image, there is no other material.
@@ -231,35 +223,17 @@ private:
 
   void add_material(const std::string& name)
   {
-    Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}};
+    Json material = m_png.empty() ? plain_material() : textured_material(0);
     if(!name.empty())
       material["name"] = name;
-    if(!m_png.empty())
-      material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
     m_materials.push_back(material);
-  }
-
-  // Header, text, buffer.
-  std::string assemble(std::string text)
-  {
-    pad(text, ' ');
-    pad(m_buffer, '\0');
-    constexpr std::size_t header = 12, chunk_header = 8;
-    std::string file = "glTF";
-    append(std::uint32_t(2), file);
-    append(std::uint32_t(header + 2 * chunk_header + text.size() + m_buffer.size()), file);
-    append(std::uint32_t(text.size()), file);
-    file += "JSON" + text;
-    append(std::uint32_t(m_buffer.size()), file);
-    file.append("BIN\0", 4);
-    return file + m_buffer;
   }
 
   const Layout& m_layout;
   const std::string& m_png;
   const Mesh_parts m_parts;
-  std::vector<Glb_vertex> m_vertices; // of one part after the other
-  std::vector<Glb_vertex> m_corners;  // of the triangles
+  std::vector<Gltf_vertex> m_vertices; // of one part after the other
+  std::vector<Gltf_vertex> m_corners;  // of the triangles
   std::vector<std::size_t> m_first_vertices;
   std::vector<Json> m_primitives; // per part, empty without triangles
   std::string m_buffer;
@@ -268,8 +242,10 @@ private:
 
 } // namespace
 
-Data_kinds kinds_in_glb(const Layout& layout, bool has_own_material)
+Data_kinds kinds_in_gltf(const Layout& layout, bool has_own_material)
 {
+  if(layout.gltf_source)
+    return layout.kinds;
   Data_kinds kinds = {Data_kind::NORMALS, Data_kind::GROUPS};
   if(!layout.colors.empty())
     kinds.insert(Data_kind::COLORS);
@@ -278,7 +254,19 @@ Data_kinds kinds_in_glb(const Layout& layout, bool has_own_material)
   return kinds;
 }
 
-std::string to_glb(const Layout& layout, const std::string& png)
+std::array<float, 2> gltf_uv(const std::array<double, 2>& uv) { return {{float(uv[0]), float(1 - uv[1])}}; }
+
+Json textured_material(std::size_t texture)
 {
-  return Glb_writer(layout, png).run();
+  Json material = plain_material();
+  material["name"] = material_name;
+  material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture}};
+  return material;
+}
+
+std::string to_gltf(const Layout& layout, const std::string& png, const std::string& path)
+{
+  gltf::Content content = layout.gltf_source ? edited_gltf(layout, png, std::filesystem::absolute(path).parent_path())
+                                             : Gltf_builder(layout, png).run();
+  return is_glb(path) ? gltf::to_binary_file(std::move(content)) : gltf::to_text_file(std::move(content));
 }

@@ -48,7 +48,8 @@ texture coordinates of the place where they lie. The report lists all this in "i
 
 Output: texture coordinates lie in the unit square, charts apart by the margin and all at the same
 scale (uv_scale in the report), and no two triangles overlap. Corners share one unless a cut edge lies
-between them. From OBJ to OBJ and PLY to PLY, all else stays. Files appear when the run is complete.
+between them. From OBJ to OBJ, PLY to PLY and glTF to glTF, all else stays. Files appear when the run is
+complete.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
 of vertices, all counted from 0. For --must-cut and --initial-cut, uv stands for the seams of the

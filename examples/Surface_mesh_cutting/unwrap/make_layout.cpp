@@ -129,6 +129,7 @@ Layout layout_without_uvs(const Polygon_soup& soup)
   layout.corner_normals = soup.corner_normals;
   layout.obj_statements = soup.obj_statements;
   layout.ply_source = soup.ply_source;
+  layout.gltf_source = soup.gltf_source;
   layout.kinds = soup.kinds;
   return layout;
 }

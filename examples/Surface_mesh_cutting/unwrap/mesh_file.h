@@ -28,6 +28,7 @@ struct Attributes
   bool has_merged_points = true; // of STL and glTF
   bool has_looks = false;        // colors, normals, groups and materials
   bool has_source = false;       // of PLY, all that it says
+  bool has_gltf_source = false;  // the same of glTF, which shows a mesh at several places: each is read once
 };
 
 // Reads OFF, OBJ, PLY, STL, and what else CGAL reads. Points and polygons keep number and order;

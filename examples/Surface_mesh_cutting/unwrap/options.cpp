@@ -49,7 +49,7 @@ void add_output_options(CLI::App& app, Options& options)
 {
   const std::string group = "Output";
   app.add_option("-o,--output", options.output,
-                 "Mesh with texture coordinates; OBJ, or by the name's end\nbinary glTF (.glb) or PLY (.ply) "
+                 "Mesh with texture coordinates; OBJ, or by the name's end\nglTF (.glb, .gltf) or PLY (.ply) "
                  "(default: name of INPUT\nwith .uv.obj, in the current folder)")
     ->type_name("OUT")->group(group);
   app.add_option("--json", options.json, "Report of measures; - is the standard output")->type_name("FILE")->group(group);
@@ -184,7 +184,7 @@ bool is_injective(const Options& options)
 Attributes wanted_attributes(const Options& options)
 {
   return {options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off", true,
-          is_ply(options.output)};
+          is_ply(options.output), is_gltf(options.output)};
 }
 
 std::vector<std::string> constraint_files(const Options& options)

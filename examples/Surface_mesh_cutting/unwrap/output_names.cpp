@@ -40,6 +40,6 @@ std::string image_from_mesh(const Options& options)
 void check_image_can_be_named(const Options& options)
 {
   const std::string name = image_from_mesh(options);
-  if(!is_glb(options.output) && std::any_of(name.begin(), name.end(), is_control))
+  if(!is_gltf(options.output) && std::any_of(name.begin(), name.end(), is_control))
     throw Failure(Exit_code::USAGE, "--texture: a mesh cannot refer to a file whose name has a control character");
 }

@@ -25,7 +25,7 @@ std::string material_file_name(const Output_places& places, const Options& optio
 Data_kinds written_kinds(const Options& options, const Layout& layout)
 {
   const bool has_own_material = !options.texture.empty();
-  return is_glb(options.output) ? kinds_in_glb(layout, has_own_material)
+  return is_gltf(options.output) ? kinds_in_gltf(layout, has_own_material)
        : is_ply(options.output) ? kinds_in_ply(layout) : kinds_in_obj(layout, has_own_material);
 }
 
@@ -46,8 +46,8 @@ void write_outputs(const Options& options, const Output_places& places, const La
   const Thread_limit limit(options.threads);
   const std::string report = to_json(outcome); // once, as what it says of memory changes
   Output_files files;
-  if(is_glb(options.output))
-    files.add(*places.mesh, to_glb(layout, places.texture ? checkerboard_png() : ""));
+  if(is_gltf(options.output))
+    files.add(*places.mesh, to_gltf(layout, places.texture ? checkerboard_png() : "", options.output));
   else if(is_ply(options.output))
     files.add(*places.mesh, to_ply(layout, image_from_mesh(options)));
   else

@@ -1,6 +1,8 @@
 #include "pack.h"
 
 #include "Progress_visitor.h"
+#include "file_extension.h"
+#include "single_precision.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/rotation_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
@@ -34,6 +36,21 @@ void add_packing(Phase_seconds& phases, double seconds)
   phases.total = phases.total.value_or(0) + seconds;
 }
 
+// The map may hold fewer digits than the UVs have: where that spoils them, they are repaired.
+template <typename UVs>
+SMC::Packing_result<Mesh> packed(const Mesh& mesh, Cut_map is_cut, UVs uvs, const Options& options)
+{
+  Progress_visitor visitor(options, {share_without_packing, 1});
+  return SMC::pack_charts<CGAL::Parallel_if_available_tag>(
+    mesh, is_cut, uvs,
+    CGAL::parameters::margin(options.margin)
+      .texture_size(options.texture_size)
+      .chart_rotation(SMC::internal::rotation_of(options.rotate))
+      .do_bijective(is_injective(options))
+      .effort(SMC::internal::effort_of(options.effort))
+      .visitor(std::ref(visitor)));
+}
+
 } // namespace
 
 bool has_packing(const Options& options) { return options.uv_scale != "surface"; }
@@ -44,19 +61,19 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
   {
     outcome.charts = number_of_charts(mesh, is_cut);
     outcome.uv_scale = 1;
+    if(is_gltf(options.output))
+      hold_in_single_precision(mesh, is_cut, uvs, is_injective(options), outcome);
     return;
   }
-  Progress_visitor visitor(options, {share_without_packing, 1});
   const auto wall_start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
-  const auto result = SMC::pack_charts<CGAL::Parallel_if_available_tag>(
-    mesh, is_cut, uvs,
-    CGAL::parameters::margin(options.margin)
-      .texture_size(options.texture_size)
-      .chart_rotation(SMC::internal::rotation_of(options.rotate))
-      .do_bijective(is_injective(options))
-      .effort(SMC::internal::effort_of(options.effort))
-      .visitor(std::ref(visitor)));
+  const bool is_single = is_gltf(options.output);
+  auto result = is_single ? packed(mesh, is_cut, Single_precision_uvs{uvs}, options) : packed(mesh, is_cut, uvs, options);
+  if(is_single && result.status.code == SMC::Status_code::NOT_CERTIFIED)
+  {
+    result = packed(mesh, is_cut, uvs, options);
+    hold_in_single_precision(mesh, is_cut, uvs, is_injective(options), outcome);
+  }
   add_packing(outcome.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count());
   add_packing(outcome.cpu_seconds, double(std::clock() - cpu_start) / CLOCKS_PER_SEC);
   if(!result.has_result)

@@ -1,75 +1,48 @@
 #include "read_gltf.h"
 
-#include "file_extension.h"
-
+#include "Gltf_elements.h"
+#include "Gltf_source.h"
+#include "file_bytes.h"
+#include "gltf_kinds.h"
+#include "gltf_scene.h"
+#include "gltf_uri.h"
 #include "outcome.h"
+#include "stop_request.h"
+#include "triangle_strip.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <optional>
-
-bool is_gltf(const std::string& path)
-{
-  const std::string extension = extension_of(path);
-  return extension == ".gltf" || extension == ".glb";
-}
-
-#ifndef UNWRAP_WITH_GLTF
-
-Polygon_soup read_gltf(const std::string&, Attributes attributes)
-{
-  return read_glb({}, attributes);
-}
-
-Polygon_soup read_glb(std::string_view, Attributes)
-{
-  throw Failure(Exit_code::UNREADABLE, "this program was built without tinygltf, which reads glTF");
-}
-
-#else
-
-#include "Gltf_elements.h"
-#include "Point_merger.h"
-#include "byte_order.h"
-#include "file_bytes.h"
-#include "triangle_strip.h"
-
-#include <tiny_gltf.h>
-
-#include <Eigen/Geometry>
-
 #include <cstdint>
-#include <string_view>
-#include <vector>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 
 namespace {
 
 using gltf::Elements;
-using gltf::at;
+using gltf::Instance;
+using gltf::Json;
 using gltf::fail;
 
-Eigen::Matrix4d transformation_of(const tinygltf::Node& node)
-{
-  Eigen::Affine3d result = Eigen::Affine3d::Identity();
-  if(node.matrix.size() == 16)
-    return Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-  if(node.translation.size() == 3)
-    result.translate(Eigen::Vector3d(node.translation[0], node.translation[1], node.translation[2]));
-  if(node.rotation.size() == 4)
-    result.rotate(Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
-  if(node.scale.size() == 3)
-    result.scale(Eigen::Vector3d(node.scale[0], node.scale[1], node.scale[2]));
-  return result.matrix();
-}
+enum Mode { TRIANGLES = 4, TRIANGLE_STRIP, TRIANGLE_FAN };
 
 // Three corners of each triangle of a primitive, whose vertices are given one after the other.
-std::vector<int> triangle_corners(const std::vector<int>& vertices, int mode)
+std::vector<int> triangle_corners(std::vector<int> vertices, std::size_t mode)
 {
-  if(mode == TINYGLTF_MODE_TRIANGLES)
-    return {vertices.begin(), vertices.end() - std::ptrdiff_t(vertices.size() % 3)};
-  if(mode != TINYGLTF_MODE_TRIANGLE_FAN)
+  if(mode == TRIANGLES)
+    vertices.resize(vertices.size() / 3 * 3);
+  if(mode == TRIANGLES)
+    return vertices;
+  if(mode == TRIANGLE_STRIP)
     return triangles_of_strip(vertices);
   std::vector<int> corners;
   for(std::size_t i = 2; i < vertices.size(); ++i)
@@ -77,77 +50,90 @@ std::vector<int> triangle_corners(const std::vector<int>& vertices, int mode)
   return corners;
 }
 
-std::optional<Polygon_soup::Texture_point> to_uv(const Eigen::Vector2d& uv) { return {{{uv.x(), uv.y()}}}; }
-
-// As a word of a line.
+// As words of a line of OBJ, in which # begins a comment and a backslash goes on with the next line.
 std::string name_or(std::string name, const std::string& other)
 {
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
-  return name.empty() ? other : name;
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127 || c == '#' || c == '\\'; }, '_');
+  return name.find_first_not_of(' ') == std::string::npos ? other : name;
+}
+
+// At which a mesh is measured: as the scene shows it, but not from inside, and not where that leaves no surface.
+Eigen::Matrix4d measuring(Eigen::Matrix4d transformation)
+{
+  const double determinant = transformation.topLeftCorner<3, 3>().determinant();
+  if(determinant < 0)
+    transformation.row(0) *= -1;
+  return transformation.allFinite() && determinant != 0 ? transformation : Eigen::Matrix4d::Identity();
 }
 
 class Scene_reader
 {
 public:
-  Scene_reader(const tinygltf::Model& model, Attributes attributes)
-    : m_model(model), m_attributes(attributes), m_merger(m_soup, attributes.has_merged_points)
+  Scene_reader(std::shared_ptr<Gltf_source> source, Attributes attributes)
+    : m_source(std::move(source)), m_document(m_source->document), m_attributes(attributes)
   {}
 
   Polygon_soup run()
   {
-    for(int node : nodes_of_scene())
-      add_node(node, Eigen::Matrix4d::Identity(), 0);
+    if(m_attributes.has_gltf_source)
+      m_document.read_all();
+    for(const Instance& instance : wanted_instances())
+      add_mesh(instance);
     if(!m_soup.colors.empty())
       m_soup.colors.resize(m_soup.points.size(), white);
     if(m_soup.normals.empty())
       m_soup.corner_normals.clear();
+    m_soup.kinds = gltf::kinds_of(m_document);
+    if(const std::string outdated = m_attributes.has_gltf_source ? gltf::list_outdated(m_document) : ""; !outdated.empty())
+      m_soup.warnings.push_back(outdated + " of the file stay as they are, but belong to its former texture coordinates");
+    if(m_attributes.has_gltf_source)
+      m_soup.gltf_source = m_source;
     return std::move(m_soup);
   }
 
 private:
   static constexpr std::array<double, 3> white = {{1, 1, 1}};
+  using Place = std::array<double, 6>; // a point and its color
 
   // The attributes of the vertices of a primitive, at their place.
   struct Vertices
   {
     Elements points;
-    std::optional<Elements> colors, uvs;
-    int first_normal; // -1 if there are none
+    std::optional<Elements> colors, uvs, normals;
     Eigen::Matrix4d transformation;
+    Eigen::Matrix3d turn; // of normals
   };
 
-  // Those that do not hang below others. A file without scenes is a collection of them.
-  std::vector<int> nodes_of_scene() const
+  // What the soup has of a vertex.
+  struct Numbers
   {
-    if(!m_model.scenes.empty())
-      return at(m_model.scenes, (std::max)(m_model.defaultScene, 0), "scene").nodes;
-    std::vector<char> is_below(m_model.nodes.size(), 0);
-    for(const tinygltf::Node& node : m_model.nodes)
-      for(int child : node.children)
-        if(child >= 0 && child < int(is_below.size()))
-          is_below[std::size_t(child)] = 1;
-    std::vector<int> nodes;
-    for(std::size_t i = 0; i < is_below.size(); ++i)
-      if(!is_below[i])
-        nodes.push_back(int(i));
-    return nodes;
+    int point = -1, normal = -1;
+  };
+
+  std::vector<Instance> wanted_instances() const
+  {
+    std::vector<Instance> instances = gltf::find_instances(m_document);
+    if(!m_attributes.has_gltf_source)
+      return instances;
+    std::vector<char> is_met(gltf::list(m_document.description(), "meshes").size(), 0);
+    const auto is_repeated = [&](const Instance& instance) { return std::exchange(is_met[instance.mesh], char(1)) != 0; };
+    instances.erase(std::remove_if(instances.begin(), instances.end(), is_repeated), instances.end());
+    for(Instance& instance : instances)
+      instance.transformation = measuring(instance.transformation);
+    return instances;
   }
 
-  void add_node(int index, const Eigen::Matrix4d& outer, std::size_t depth)
+  void add_mesh(const Instance& instance)
   {
-    if(depth > m_model.nodes.size() || ++m_number_of_visits > m_model.nodes.size())
-      fail("nodes of the scene are not a tree");
-    const tinygltf::Node& node = at(m_model.nodes, index, "node");
-    const Eigen::Matrix4d transformation = outer * transformation_of(node);
-    if(node.mesh >= 0)
-    {
-      const tinygltf::Mesh& mesh = at(m_model.meshes, node.mesh, "mesh");
-      say("o " + name_or(node.name, name_or(mesh.name, "mesh_" + std::to_string(node.mesh))));
-      for(const tinygltf::Primitive& primitive : mesh.primitives)
-        add_primitive(primitive, transformation);
-    }
-    for(int child : node.children)
-      add_node(child, transformation, depth + 1);
+    const Json& mesh = gltf::item(m_document.description(), "meshes", instance.mesh);
+    const std::string name = name_or(gltf::text_of(mesh, "name"), "mesh_" + std::to_string(instance.mesh));
+    say("o " + (instance.node ? name_or(gltf::text_of(gltf::item(m_document.description(), "nodes", *instance.node), "name"), name)
+                              : name));
+    ++m_part;
+    m_numbers.clear();
+    const std::size_t number_of_primitives = gltf::list(mesh, "primitives").size();
+    for(std::size_t i = 0; i < number_of_primitives; ++i)
+      add_primitive(instance, i, gltf::item(mesh, "primitives", i));
   }
 
   void say(const std::string& line)
@@ -156,194 +142,193 @@ private:
       m_soup.obj_statements.lines.push_back({m_soup.number_of_polygons(), line});
   }
 
-  std::optional<Elements> find_attribute(const tinygltf::Primitive& primitive, const char* name) const
+  // Only if it has so many components for each of so many vertices.
+  std::optional<Elements> find_attribute(const Json& primitive, const char* name, int components,
+                                         std::optional<std::size_t> number = std::nullopt) const
   {
-    const auto found = primitive.attributes.find(name);
-    if(found == primitive.attributes.end())
+    const Json* const attributes = gltf::find(primitive, "attributes");
+    const std::optional<std::size_t> accessor = attributes == nullptr ? std::nullopt : gltf::find_number(*attributes, name);
+    if(!accessor)
       return std::nullopt;
-    return Elements(m_model, found->second);
+    Elements elements(m_document, *accessor);
+    return elements.number_of_components() >= components && (!number || *number == elements.number())
+             ? std::make_optional(std::move(elements)) : std::nullopt;
   }
 
-  void add_primitive(const tinygltf::Primitive& primitive, const Eigen::Matrix4d& transformation)
+  void add_primitive(const Instance& instance, std::size_t index, const Json& primitive)
   {
-    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-    if(mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN)
-      return; // points and lines
-    const std::optional<Elements> points = find_attribute(primitive, "POSITION");
+    end_if_stop_is_requested();
+    const std::size_t mode = gltf::number_or(primitive, "mode", TRIANGLES);
+    std::optional<Elements> points;
+    if(mode == TRIANGLES || mode == TRIANGLE_STRIP || mode == TRIANGLE_FAN)
+      points = find_attribute(primitive, "POSITION", 3);
     if(!points)
-      return; // an extension brings it
-    if(!points->is(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
-      fail("the points are not given by three numbers of single precision");
-    if(primitive.material >= 0)
-      say("usemtl " + name_or(at(m_model.materials, primitive.material, "material").name,
-                              "material_" + std::to_string(primitive.material)));
-    const Vertices vertices = {*points, find_colors(primitive, points->number()),
-                               find_uvs(primitive, points->number()),
-                               add_normals(primitive, points->number(), transformation), transformation};
-    const bool is_mirrored = transformation.topLeftCorner<3, 3>().determinant() < 0;
-    const std::vector<int> corners = triangle_corners(vertices_of(primitive, points->number()), mode);
+      return; // points and lines, or an extension brings it
+    say_material(primitive);
+    const std::size_t number = points->number(), first_corner = m_soup.corners.size();
+    const Eigen::Matrix3d linear = instance.transformation.topLeftCorner<3, 3>();
+    const bool has_normals = m_attributes.has_looks && !m_attributes.has_gltf_source && linear.determinant() != 0;
+    const Vertices vertices = {*points,
+                               m_attributes.has_looks ? find_attribute(primitive, "COLOR_0", 3, number) : std::nullopt,
+                               m_attributes.has_uvs ? find_attribute(primitive, "TEXCOORD_0", 2, number) : std::nullopt,
+                               has_normals ? find_attribute(primitive, "NORMAL", 3, number) : std::nullopt,
+                               instance.transformation,
+                               has_normals ? Eigen::Matrix3d(linear.inverse().transpose()) : linear};
+    const std::vector<int> corners = triangle_corners(vertices_of(primitive, number), mode);
+    const bool is_mirrored = linear.determinant() < 0;
+    std::unordered_map<int, Numbers> numbers; // of the vertices that triangles use: others may be many
     for(std::size_t c = 0; c + 2 < corners.size(); c += 3)
     {
-      add_corner(vertices, corners[c]);
-      add_corner(vertices, corners[c + (is_mirrored ? 2 : 1)]);
-      add_corner(vertices, corners[c + (is_mirrored ? 1 : 2)]);
+      if(c % 3072 == 0)
+        end_if_stop_is_requested();
+      add_corner(vertices, corners[c], numbers[corners[c]]);
+      add_corner(vertices, corners[c + (is_mirrored ? 2 : 1)], numbers[corners[c + (is_mirrored ? 2 : 1)]]);
+      add_corner(vertices, corners[c + (is_mirrored ? 1 : 2)], numbers[corners[c + (is_mirrored ? 1 : 2)]]);
       m_soup.close_polygon();
+    }
+    if(m_attributes.has_gltf_source)
+    {
+      check_attributes(primitive, number);
+      m_source->primitives.push_back({instance.mesh, index, number, first_corner, corners});
     }
   }
 
-  std::vector<int> vertices_of(const tinygltf::Primitive& primitive, std::size_t number_of_points) const
+  // All of them have as many elements as there are vertices.
+  void check_attributes(const Json& primitive, std::size_t number) const
+  {
+    std::vector<const Json*> objects = {gltf::find(primitive, "attributes")};
+    for(const Json& target : gltf::list(primitive, "targets"))
+      objects.push_back(&target);
+    for(const Json* object : objects)
+      for(const auto& attribute : object->items())
+        if(Elements(m_document, gltf::find_number(*object, attribute.key().c_str()).value_or(SIZE_MAX)).number() != number)
+          fail("damaged glTF: an attribute " + gltf::quoted(attribute.key()) + " does not have " + std::to_string(number)
+               + " elements, like the points");
+  }
+
+  void say_material(const Json& primitive)
+  {
+    const std::optional<std::size_t> material = gltf::find_number(primitive, "material");
+    if(material)
+      say("usemtl " + name_or(gltf::text_of(gltf::item(m_document.description(), "materials", *material), "name"),
+                              "material_" + std::to_string(*material)));
+    else if(m_has_material)
+      say("usemtl no_material"); // or it would have the one before
+    m_has_material = material.has_value();
+  }
+
+  std::vector<int> vertices_of(const Json& primitive, std::size_t number_of_points) const
   {
     std::vector<int> vertices;
-    if(primitive.indices >= 0)
-    {
-      const Elements indices(m_model, primitive.indices);
-      for(std::size_t i = 0; i < indices.number(); ++i)
-        vertices.push_back(indices.index(i));
-    }
-    else
+    const std::optional<std::size_t> accessor = gltf::find_number(primitive, "indices");
+    if(!accessor)
       for(std::size_t i = 0; i < number_of_points; ++i)
         vertices.push_back(int(i));
+    if(!accessor)
+      return vertices;
+    const Elements indices(m_document, *accessor);
+    if(!indices.has_indices())
+      fail("damaged glTF: indices of triangles are not whole numbers without a sign");
+    vertices.reserve(indices.number());
+    for(std::size_t i = 0; i < indices.number(); ++i)
+    {
+      if(indices.index(i) >= number_of_points)
+        fail("face " + std::to_string(m_soup.number_of_polygons() + int(i / 3)) + " refers to vertex "
+             + std::to_string(indices.index(i)) + ", but its mesh has only " + std::to_string(number_of_points));
+      vertices.push_back(int(indices.index(i)));
+    }
     return vertices;
   }
 
-  std::optional<Elements> find_colors(const tinygltf::Primitive& primitive, std::size_t number) const
-  {
-    const std::optional<Elements> colors = find_attribute(primitive, "COLOR_0");
-    if(!m_attributes.has_looks || !colors || colors->number() != number)
-      return std::nullopt;
-    return colors->has_fractions(TINYGLTF_TYPE_VEC3) || colors->has_fractions(TINYGLTF_TYPE_VEC4) ? colors
-                                                                                                   : std::nullopt;
-  }
-
-  std::optional<Elements> find_uvs(const tinygltf::Primitive& primitive, std::size_t number) const
-  {
-    const std::optional<Elements> uvs = find_attribute(primitive, "TEXCOORD_0");
-    const bool is_usable = m_attributes.has_uvs && uvs && uvs->number() == number
-                           && uvs->has_fractions(TINYGLTF_TYPE_VEC2);
-    return is_usable ? uvs : std::nullopt;
-  }
-
-  // Returns where they begin.
-  int add_normals(const tinygltf::Primitive& primitive, std::size_t number, const Eigen::Matrix4d& transformation)
-  {
-    const std::optional<Elements> normals = find_attribute(primitive, "NORMAL");
-    if(!m_attributes.has_looks || !normals || normals->number() != number
-       || !normals->is(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
-      return -1;
-    const int first = int(m_soup.normals.size());
-    const Eigen::Matrix3d turn = transformation.topLeftCorner<3, 3>().inverse().transpose();
-    for(std::size_t i = 0; i < number; ++i)
-    {
-      const Eigen::Vector3d normal = (turn * normals->vector<3>(i)).normalized();
-      m_soup.normals.push_back({{normal.x(), normal.y(), normal.z()}});
-    }
-    return first;
-  }
-
-  void add_corner(const Vertices& vertices, int vertex)
+  void add_corner(const Vertices& vertices, int vertex, Numbers& numbers)
   {
     const std::size_t i = std::size_t(vertex);
-    if(vertex < 0 || i >= vertices.points.number())
-      fail("face " + std::to_string(m_soup.number_of_polygons()) + " refers to a vertex that its mesh does not have");
+    if(numbers.point < 0)
+      numbers.point = number_of_point(vertices, i);
+    if(numbers.normal < 0 && vertices.normals)
+    {
+      numbers.normal = int(m_soup.normals.size());
+      const Eigen::Vector3d normal = (vertices.turn * vertices.normals->vector<3>(i)).normalized();
+      m_soup.normals.push_back({{normal.x(), normal.y(), normal.z()}});
+    }
+    m_soup.corners.push_back(numbers.point);
+    m_soup.corner_normals.push_back(numbers.normal);
+    if(m_attributes.has_uvs)
+      m_soup.corner_uvs.push_back(vertices.uvs ? uv_of(vertices.uvs->vector<2>(i)) : std::nullopt);
+  }
+
+  static std::optional<Polygon_soup::Texture_point> uv_of(const Eigen::Vector2d& uv) { return {{{uv.x(), 1 - uv.y()}}}; }
+
+  // That of a former one of the mesh at the same point, where colors do not tell them apart.
+  int number_of_point(const Vertices& vertices, std::size_t i)
+  {
     const Eigen::Vector3d p = (vertices.transformation * vertices.points.vector<3>(i).homogeneous()).head<3>();
-    const std::size_t number_of_points = m_soup.points.size();
-    m_merger.add_corner(p.x(), p.y(), p.z());
-    if(vertices.colors && m_soup.points.size() > number_of_points)
+    Place place = {{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}}; // -0 becomes 0
+    if(vertices.colors)
     {
       const Eigen::Vector3d color = vertices.colors->vector<3>(i);
-      m_soup.colors.resize(number_of_points, white);
-      m_soup.colors.push_back({{color.x(), color.y(), color.z()}});
+      std::copy(color.data(), color.data() + 3, place.begin() + 3);
     }
-    if(m_attributes.has_uvs)
-      m_soup.corner_uvs.push_back(vertices.uvs ? to_uv(vertices.uvs->vector<2>(i)) : std::nullopt);
-    m_soup.corner_normals.push_back(vertices.first_normal < 0 ? -1 : vertices.first_normal + vertex);
+    else
+      std::copy(white.begin(), white.end(), place.begin() + 3);
+    Place key = place;
+    std::fill(key.begin() + 3, key.end(), 0.0);
+    if(m_attributes.has_merged_points)
+      if(const auto inserted = m_numbers.emplace(key, m_soup.number_of_points()); !inserted.second)
+        return inserted.first->second;
+    m_soup.points.push_back({{place[0], place[1], place[2]}});
+    m_soup.point_parts.push_back(m_part);
+    if(vertices.colors)
+    {
+      m_soup.colors.resize(m_soup.points.size() - 1, white);
+      m_soup.colors.push_back({{place[3], place[4], place[5]}});
+    }
+    return m_soup.number_of_points() - 1;
   }
 
-  const tinygltf::Model& m_model;
+  const std::shared_ptr<Gltf_source> m_source;
+  const gltf::Document& m_document;
   const Attributes m_attributes;
   Polygon_soup m_soup;
-  Point_merger m_merger;
-  std::size_t m_number_of_visits = 0;
+  int m_part = -1; // the instance
+  std::unordered_map<Place, int, boost::hash<Place> > m_numbers; // of its points
+  bool m_has_material = false;
 };
 
-using Load = bool (*)(tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error, std::string_view bytes,
-                      const std::string& folder);
-
-bool load_binary(tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error, std::string_view bytes,
-                 const std::string& folder)
+Polygon_soup read(gltf::Document document, Attributes attributes)
 {
-  std::string warning;
-  return loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                     unsigned(bytes.size()), folder);
-}
-
-bool load_text(tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error, std::string_view bytes,
-               const std::string& folder)
-{
-  std::string warning;
-  return loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), unsigned(bytes.size()), folder);
-}
-
-// Where meshes of a sound file may be that are not where they are looked for.
-constexpr std::array<const char*, 2> compressions = {{"KHR_draco_mesh_compression", "EXT_meshopt_compression"}};
-
-// The loader may end before it knows what the file requires.
-std::string hint_at_compression(std::string_view bytes)
-{
-  for(const char* extension : compressions)
-    if(bytes.find(extension) != std::string_view::npos)
-      return std::string("; the file uses ") + extension + ", which is not supported";
-  return "";
-}
-
-void check_required(const tinygltf::Model& model)
-{
-  for(const std::string& extension : model.extensionsRequired)
-    if(std::find(compressions.begin(), compressions.end(), extension) != compressions.end())
-      fail("the file requires " + extension + ", which is not supported");
-}
-
-// Its files have names where those of version 2 have numbers.
-bool is_version_1(const tinygltf::Model& model, std::string_view bytes)
-{
-  constexpr std::string_view magic = "glTF";
-  const bool is_binary = bytes.size() >= 8 && bytes.substr(0, magic.size()) == magic;
-  return is_binary ? load<std::uint32_t>(bytes.substr(magic.size()), false) == 1 : model.asset.version.substr(0, 2) == "1.";
-}
-
-Polygon_soup read(std::string_view bytes, Load load, const std::string& folder, Attributes attributes)
-{
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
-                           void*) { return true; }, nullptr); // images do not matter
-  tinygltf::Model model;
-  std::string error;
-  if(bytes.size() > UINT32_MAX)
-    fail("the file is too large");
-  const bool is_loaded = load(loader, model, error, bytes, folder);
-  if(is_version_1(model, bytes))
-    fail("glTF 1 is not supported, only version 2");
-  if(!is_loaded)
-  {
-    error = error.substr(0, error.find('\n'));
-    std::replace_if(error.begin(), error.end(), [](char c) { return c < 32 || c > 126; }, '?'); // quotes the file
-    fail("damaged glTF: " + error + hint_at_compression(bytes));
-  }
-  check_required(model);
-  return Scene_reader(model, attributes).run();
+  return Scene_reader(std::make_shared<Gltf_source>(Gltf_source{std::move(document), {}}), attributes).run();
 }
 
 } // namespace
 
 Polygon_soup read_gltf(const std::string& path, Attributes attributes)
 {
-  const std::string bytes = read_bytes(path), folder = std::filesystem::path(path).parent_path().string();
-  return read(bytes, is_glb(path) ? load_binary : load_text, folder, attributes);
+  return read(gltf::read_document(path), attributes);
 }
 
 Polygon_soup read_glb(std::string_view bytes, Attributes attributes)
 {
-  return read(bytes, load_binary, "", attributes);
+  return read(gltf::Document(std::string(bytes), ""), attributes);
 }
 
-#endif // UNWRAP_WITH_GLTF
+std::vector<std::string> files_of_gltf(const std::string& path)
+{
+  std::vector<std::string> files;
+  try
+  {
+    const gltf::Json description = gltf::read_description(read_bytes(path));
+    gltf::for_each_member(description, [&](const std::string& key, const Json& value)
+    {
+      const std::string uri = key == "uri" && value.is_string() ? value.get<std::string>() : "";
+      if(!uri.empty() && !gltf::is_data(uri))
+        for(const std::filesystem::path& file : {gltf::path_of(uri), std::filesystem::path(uri)})
+          files.push_back((std::filesystem::path(path).parent_path() / file).string());
+    });
+  }
+  catch(const Failure&)
+  {
+    // The reader will say why.
+  }
+  return files;
+}

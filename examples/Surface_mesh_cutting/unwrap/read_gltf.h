@@ -5,15 +5,17 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
-// Whether the name is that of a glTF file (.gltf, .glb).
-bool is_gltf(const std::string& path);
-
-// The triangles of all meshes of the scene, transformed as it says, with vertices at exactly the same point as one:
-// the format repeats vertices where attributes differ. Throws a `Failure` with `Exit_code::UNREADABLE`.
+// The triangles of all meshes of a glTF file (.gltf, .glb), transformed as its scene says. Vertices at exactly the same
+// point are one within a mesh, as the format repeats vertices where attributes differ. If the source is wanted, each mesh
+// is read once, at the size at which the scene shows it first. Throws a `Failure` with `Exit_code::UNREADABLE`.
 Polygon_soup read_gltf(const std::string& path, Attributes attributes);
 
-// The same, given the bytes of a binary file, which refers to no other file.
+// The same, given the bytes of a file that refers to no other file.
 Polygon_soup read_glb(std::string_view bytes, Attributes attributes);
+
+// The files to which a glTF file refers, whether they exist or not; none if that cannot be found out.
+std::vector<std::string> files_of_gltf(const std::string& path);
 
 #endif // UNWRAP_READ_GLTF_H

@@ -1,0 +1,147 @@
+#include "Gltf_document.h"
+
+#include "byte_order.h"
+#include "file_bytes.h"
+#include "gltf_uri.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace gltf {
+
+namespace {
+
+constexpr std::string_view magic = "glTF";
+
+// What is read from a buffer is told with its number.
+std::string name_of(const char* kind, std::size_t index) { return kind + (" " + std::to_string(index)); }
+
+void check_version(const Json& description)
+{
+  const Json* const asset = find(description, "asset");
+  const std::string version = asset == nullptr ? "" : text_of(*asset, "version");
+  if(version.compare(0, 2, "1.") == 0)
+    fail("glTF 1 is not supported, only version 2");
+  if(version.compare(0, 2, "2.") != 0)
+    fail("damaged glTF: its asset.version is " + quoted(version) + " instead of '2.0'");
+}
+
+// What to do about meshes that cannot be read.
+std::string advice(const std::string& extension)
+{
+  return extension == "KHR_draco_mesh_compression" ? "; 'gltf-transform copy IN.glb OUT.glb' decodes it"
+       : extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression"
+           ? "; 'gltfpack -i IN.glb -o OUT.glb -noq' decodes it"
+           : "; write the file without it";
+}
+
+void check_required(const Json& description)
+{
+  static const std::array<std::string, 2> supported = {{"KHR_mesh_quantization", "EXT_mesh_gpu_instancing"}};
+  for(const Json& name : list(description, "extensionsRequired"))
+  {
+    const std::string extension = name.is_string() ? name.get<std::string>() : "";
+    if(!is_about_looks(extension) && std::find(supported.begin(), supported.end(), extension) == supported.end())
+      fail("the file requires the extension " + quoted(extension) + ", which is not supported" + advice(extension));
+  }
+}
+
+// Of the chunks, the first is the description.
+Json read_binary(std::string_view bytes, std::optional<std::string>* chunk)
+{
+  constexpr std::size_t header = 12, chunk_header = 8;
+  constexpr std::uint32_t json = 0x4e4f534a, binary = 0x004e4942; // kinds of chunks
+  const auto number = [&](std::size_t at) -> std::size_t
+  {
+    if(bytes.size() < at + 4)
+      fail("damaged glTF: the file is cut off");
+    return load<std::uint32_t>(bytes.substr(at), false);
+  };
+  if(number(4) != 2)
+    fail("glTF " + std::to_string(number(4)) + " is not supported, only version 2");
+  if(number(8) > bytes.size())
+    fail("damaged glTF: the file is cut off");
+  bytes = bytes.substr(0, number(8));
+  Json description;
+  for(std::size_t at = header; at + chunk_header <= bytes.size();)
+  {
+    const std::size_t size = number(at), kind = number(at + 4), begin = at + chunk_header;
+    if(size > bytes.size() - begin)
+      fail("damaged glTF: the file is cut off");
+    if(at == header && kind == json)
+      description = parse(std::string(bytes.substr(begin, size)));
+    else if(kind == binary && chunk != nullptr && !*chunk)
+      *chunk = bytes.substr(begin, size);
+    at = begin + size;
+  }
+  return description;
+}
+
+} // namespace
+
+bool is_about_looks(const std::string& extension)
+{
+  static const std::array<std::string_view, 10> beginnings
+    = {{"KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_node_", "KHR_animation_", "KHR_xmp", "EXT_texture_",
+        "EXT_lights_", "EXT_materials_", "MSFT_texture_"}};
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view beginning) { return extension.compare(0, beginning.size(), beginning) == 0; });
+}
+
+Document::Document(const std::string& bytes, std::filesystem::path folder)
+  : m_folder(std::move(folder)), m_description(read_description(bytes, &m_chunk))
+{
+  if(!m_description.is_object())
+    fail("damaged glTF: its description is no object");
+  check_version(m_description);
+  check_required(m_description);
+}
+
+std::string_view Document::buffer(std::size_t index) const
+{
+  const Json& buffer = item(m_description, "buffers", index);
+  const std::string name = name_of("buffer", index);
+  const std::size_t length = number_or(buffer, "byteLength", 0);
+  const bool is_chunk = index == 0 && m_chunk && find(buffer, "uri") == nullptr;
+  auto found = m_buffers.find(index);
+  if(!is_chunk && found == m_buffers.end())
+  {
+    if(find(buffer, "uri") == nullptr)
+      fail("damaged glTF: " + name + " has no data");
+    found = m_buffers.emplace(index, read_uri(text_of(buffer, "uri"), m_folder, name)).first;
+  }
+  const std::string_view bytes = is_chunk ? *m_chunk : found->second;
+  if(bytes.size() < length)
+    fail("damaged glTF: " + name + " has " + std::to_string(bytes.size()) + " bytes instead of " + std::to_string(length));
+  return bytes.substr(0, length);
+}
+
+std::string_view Document::view(std::size_t index) const
+{
+  const Json& view = item(m_description, "bufferViews", index);
+  const std::string_view bytes = buffer(number_or(view, "buffer", 0));
+  const std::size_t first = number_or(view, "byteOffset", 0), length = number_or(view, "byteLength", 0);
+  if(first > bytes.size() || length > bytes.size() - first)
+    fail("damaged glTF: " + name_of("buffer view", index) + " reaches beyond its buffer");
+  return bytes.substr(first, length);
+}
+
+void Document::read_all() const
+{
+  for(std::size_t i = 0; i < list(m_description, "bufferViews").size(); ++i)
+    view(i);
+}
+
+Json read_description(const std::string& bytes, std::optional<std::string>* chunk)
+{
+  return bytes.compare(0, magic.size(), magic) == 0 ? read_binary(bytes, chunk) : parse(bytes);
+}
+
+Document read_document(const std::string& path)
+{
+  return Document(read_bytes(path), "." / std::filesystem::path(path).parent_path());
+}
+
+} // namespace gltf

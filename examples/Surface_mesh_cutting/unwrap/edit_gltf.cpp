@@ -1,0 +1,231 @@
+#include "edit_gltf.h"
+
+#include "Gltf_data.h"
+#include "Gltf_elements.h"
+#include "Gltf_source.h"
+#include "byte_order.h"
+#include "gltf_uri.h"
+#include "gltf_writer.h"
+#include "stop_request.h"
+
+#include <boost/functional/hash.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using gltf::Elements;
+using gltf::Json;
+using Primitive = Gltf_source::Primitive;
+
+constexpr const char* uv_attribute = "TEXCOORD_0";
+constexpr std::size_t triangles_mode = 4;
+
+// The vertices of primitives that have the same: first those of the file, then repeated ones, as each has one UV vertex.
+class Split_vertices
+{
+public:
+  explicit Split_vertices(std::size_t number) : uvs(number, -1) {}
+
+  int find(int vertex, int uv)
+  {
+    int& first = uvs[std::size_t(vertex)];
+    if(first < 0)
+      first = uv;
+    if(first == uv)
+      return vertex;
+    const auto inserted = m_repeated.emplace(std::make_pair(vertex, uv), int(uvs.size()));
+    if(inserted.second)
+    {
+      uvs.push_back(uv);
+      origins.push_back(std::size_t(vertex));
+    }
+    return inserted.first->second;
+  }
+
+  std::vector<int> uvs; // -1 where no triangle uses a vertex
+  std::vector<std::size_t> origins; // of the repeated ones
+
+private:
+  std::unordered_map<std::pair<int, int>, int, boost::hash<std::pair<int, int> > > m_repeated;
+};
+
+class Gltf_editor
+{
+public:
+  Gltf_editor(const Layout& layout, const std::string& png)
+    : m_layout(layout), m_source(*layout.gltf_source), m_data(m_source.document)
+  {
+    if(!png.empty())
+      add_material(png);
+  }
+
+  gltf::Content run(const std::filesystem::path& folder)
+  {
+    // Primitives with the same attributes share vertices.
+    std::map<std::string, std::vector<const Primitive*> > groups;
+    for(const Primitive& primitive : m_source.primitives)
+    {
+      const Json& json = json_of(primitive);
+      groups[json["attributes"].dump() + gltf::list(json, "targets").dump()].push_back(&primitive);
+    }
+    for(const auto& [attributes, members] : groups)
+      edit(members);
+    if(m_data.description().contains("images"))
+      for(Json& image : m_data.description()["images"])
+        if(const std::string uri = gltf::text_of(image, "uri"); !uri.empty())
+          image["uri"] = gltf::moved_uri(uri, m_source.document.folder(), folder);
+    return m_data.content();
+  }
+
+private:
+  Json& json_of(const Primitive& primitive)
+  {
+    return m_data.description()["meshes"][primitive.mesh]["primitives"][primitive.index];
+  }
+
+  void edit(const std::vector<const Primitive*>& members)
+  {
+    end_if_stop_is_requested();
+    Split_vertices vertices(members.front()->number_of_vertices);
+    std::vector<std::vector<int> > corners;
+    for(const Primitive* primitive : members)
+    {
+      corners.emplace_back();
+      for(std::size_t c = 0; c < primitive->vertices.size(); ++c)
+        corners.back().push_back(vertices.find(primitive->vertices[c], m_layout.corner_uvs[primitive->first_corner + c]));
+    }
+    Json attributes = json_of(*members.front())["attributes"], targets = gltf::list(json_of(*members.front()), "targets");
+    const std::optional<std::size_t> former_uvs = gltf::find_number(attributes, uv_attribute);
+    attributes.erase(uv_attribute);
+    repeat_attributes(attributes, targets, vertices, members.size());
+    attributes[uv_attribute] = put_uvs(former_uvs, vertices, members.size());
+    for(std::size_t i = 0; i < members.size(); ++i)
+    {
+      Json& json = json_of(*members[i]);
+      put_indices(*members[i], corners[i], vertices.uvs.size(), json);
+      json["attributes"] = attributes;
+      if(!targets.empty())
+        json["targets"] = targets;
+      if(m_material)
+        json["material"] = *m_material;
+    }
+  }
+
+  // The number of an accessor to replace: itself unless others refer to it, too.
+  std::optional<std::size_t> replaceable(std::size_t accessor, std::size_t uses) const
+  {
+    return m_data.number_of_uses(accessor) == uses ? std::make_optional(accessor) : std::nullopt;
+  }
+
+  // `number_of_members`: how many primitives have these attributes.
+  void repeat_attributes(Json& attributes, Json& targets, const Split_vertices& vertices, std::size_t number_of_members)
+  {
+    if(vertices.origins.empty())
+      return;
+    std::map<std::size_t, std::size_t> uses, numbers; // by accessor; its number with repeated vertices
+    const auto for_each_reference = [&](auto visit)
+    {
+      for(Json& reference : attributes)
+        visit(reference);
+      for(Json& target : targets)
+        for(Json& reference : target)
+          visit(reference);
+    };
+    for_each_reference([&](Json& reference) { uses[reference.get<std::size_t>()] += number_of_members; });
+    for(const auto& [accessor, number] : uses)
+      numbers[accessor] = put_repeated(accessor, number, vertices.origins);
+    for_each_reference([&](Json& reference) { reference = numbers[reference.get<std::size_t>()]; });
+  }
+
+  std::size_t put_repeated(std::size_t accessor, std::size_t uses, const std::vector<std::size_t>& origins)
+  {
+    end_if_stop_is_requested();
+    const Elements elements(m_source.document, accessor);
+    std::string bytes;
+    const auto append = [&](std::size_t i)
+    {
+      bytes += elements.bytes(i);
+      gltf::pad(bytes, '\0');
+    };
+    for(std::size_t i = 0; i < elements.number(); ++i)
+      append(i);
+    for(const std::size_t origin : origins)
+      append(origin);
+    const std::size_t stride = (elements.size() + 3) / 4 * 4;
+    return m_data.put_accessor(replaceable(accessor, uses), m_source.document.description()["accessors"][accessor],
+                               std::move(bytes), stride, gltf::array_buffer);
+  }
+
+  std::size_t put_uvs(std::optional<std::size_t> former, const Split_vertices& vertices, std::size_t uses)
+  {
+    std::string bytes;
+    for(const int uv : vertices.uvs)
+    {
+      const std::array<float, 2> numbers = uv < 0 ? std::array<float, 2>{{0, 0}} : gltf_uv(m_layout.uv_points[std::size_t(uv)]);
+      for(const float number : numbers)
+        store(number, false, bytes);
+    }
+    const Json accessor = {{"componentType", gltf::single}, {"type", "VEC2"}};
+    return m_data.put_accessor(former ? replaceable(*former, uses) : std::nullopt, accessor, std::move(bytes),
+                               2 * sizeof(float), gltf::array_buffer);
+  }
+
+  // Unless the corners are what the primitive says already.
+  void put_indices(const Primitive& primitive, const std::vector<int>& corners, std::size_t number_of_vertices, Json& json)
+  {
+    const bool are_triangles = gltf::number_or(json, "mode", triangles_mode) == triangles_mode;
+    if(are_triangles && corners == primitive.vertices)
+      return;
+    json.erase("mode");
+    const std::optional<std::size_t> former = gltf::find_number(json, "indices");
+    const int type = number_of_vertices <= UINT16_MAX ? gltf::unsigned_short : gltf::unsigned_int;
+    std::string bytes;
+    for(const int vertex : corners)
+      if(type == gltf::unsigned_short)
+        store(std::uint16_t(vertex), false, bytes);
+      else
+        store(std::uint32_t(vertex), false, bytes);
+    Json accessor = former ? m_source.document.description()["accessors"][*former] : Json::object();
+    accessor.erase("min");
+    accessor.erase("max");
+    accessor["componentType"] = type;
+    accessor["type"] = "SCALAR";
+    json["indices"] = m_data.put_accessor(former ? replaceable(*former, 1) : std::nullopt, accessor, std::move(bytes),
+                                          type == gltf::unsigned_short ? sizeof(std::uint16_t) : sizeof(std::uint32_t),
+                                          gltf::element_array_buffer);
+  }
+
+  void add_material(const std::string& png)
+  {
+    const auto add = [&](const char* key, const Json& object)
+    {
+      Json& objects = m_data.description()[key];
+      objects.push_back(object);
+      return objects.size() - 1;
+    };
+    const std::size_t image = add("images", {{"bufferView", m_data.add_view(png)}, {"mimeType", "image/png"}});
+    const std::size_t sampler = add("samplers", Json::object()); // repeats the image
+    const std::size_t texture = add("textures", {{"source", image}, {"sampler", sampler}});
+    m_material = add("materials", textured_material(texture));
+  }
+
+  const Layout& m_layout;
+  const Gltf_source& m_source;
+  gltf::Data m_data;
+  std::optional<std::size_t> m_material;
+};
+
+} // namespace
+
+gltf::Content edited_gltf(const Layout& layout, const std::string& png, const std::filesystem::path& folder)
+{
+  return Gltf_editor(layout, png).run(folder);
+}
