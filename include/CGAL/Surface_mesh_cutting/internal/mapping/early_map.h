@@ -19,9 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
-
-#include <CGAL/Default.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <vector>
 
@@ -36,8 +34,7 @@ inline bool early_map(const Problem& problem, const Corner_table& chart, const G
                       Surface_mesh_parameterization::internal::Execution execution, std::vector<Eigen::Vector2d>& uv)
 {
   using namespace Surface_mesh_parameterization::internal;
-  const auto solvers = make_linear_solver_source(Default(), always_go_further, execution);
-  const auto stage_solvers = make_linear_solver_source(Default(), goes_on, execution);
+  const Solvers solvers = default_solvers(always_go_further, execution), stage_solvers = default_solvers(goes_on, execution);
   Scaffold_options options;
   options.decrease = 1e-2;
   options.moves_scaffold = true;
@@ -45,15 +42,15 @@ inline bool early_map(const Problem& problem, const Corner_table& chart, const G
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
   {
     if(goes_on())
-      Scaffold_minimization(stage.chart, stage.shapes, *stage_solvers, options)(stage_uv);
+      Scaffold_minimization(stage.chart, stage.shapes, stage_solvers, options)(stage_uv);
     return Newton_outcome::CONVERGED; // any injective map will do
   };
   const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map, execution); };
   const std::vector<Point> points = chart_points(problem.mesh, chart);
   constexpr bool keeps_region = true;
   return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, coarsest_size(chart.number_of_vertices()),
-                                                   *solvers, optimize, is_valid, uv) == Stages_outcome::MAPPED ||
-         (tutte_map(chart, points, surface_area(problem.shapes), *solvers, uv) && is_valid(uv));
+                                                   solvers, optimize, is_valid, uv) == Stages_outcome::MAPPED ||
+         (tutte_map(chart, points, surface_area(problem.shapes), solvers, uv) && is_valid(uv));
 }
 
 } // namespace internal
