@@ -29,6 +29,10 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Execution;
+using CGAL::internal::Graph_kernel::execute;
+using CGAL::internal::Graph_kernel::execution_of;
+
 using CGAL::internal::Graph_kernel::Go_further;
 using CGAL::internal::Graph_kernel::always_go_further;
 
