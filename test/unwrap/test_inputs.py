@@ -115,6 +115,8 @@ class Inputs(Case):
                 self.assertIn(word, message)
                 self.assertTrue("export OBJ or GLB" in message or "unpack" in message, message)
         self.assertEqual(self.unwrap("-", stdin=None, input=contents["fbx"]).returncode, 3)
+        run = self.unwrap("-", stdin=None, input=b' {"asset": {"version": "2.0"}}')
+        self.assertIn(b".gltf", run.stderr)
         message = self.assert_refused(3, self.write("a.unknown", "to whom it may concern"))["message"]
         for word in ("OFF", "OBJ", "PLY", "STL", "glTF"):
             self.assertIn(word, message)

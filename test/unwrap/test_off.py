@@ -126,6 +126,10 @@ class Off(Case):
             warnings = self.report("in.off", "-o", "out.ply")[1]["warnings"]
             self.assertEqual("transparency" in " ".join(warnings), is_lost)
 
+    def test_numbers_that_are_not_announced(self):
+        self.write("in.off", text("C").replace("COFF", "OFF", 1))
+        self.assertIn("other properties", " ".join(self.report("in.off", "-o", "out.ply")[1]["warnings"]))
+
     def test_refused(self):
         more = text("").replace("OFF # comment of the word\n", "nOFF\n4\n", 1)
         for content, part in ((more, "4 dimensions"), (binary("n").replace(b"\n\0\0\0\3", b"\n\0\0\0\2", 1), "2 dimensions"),

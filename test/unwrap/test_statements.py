@@ -162,7 +162,7 @@ class Statements(Case):
                 told = [warning for warning in report["warnings"] if name in warning]
                 self.assertEqual([told[0].split(": ")[1].split(", ")] if told else [], [lost] if lost else [])
                 self.assertEqual(len(report["warnings"]), 1 + len(told))
-        self.write("plain.obj", to_obj(SPHERE))
+        self.write("plain.obj", "s off\n" + to_obj(SPHERE).replace("\nv ", " 1\nv "))
         for name in kinds:
             self.assertEqual(self.report("plain.obj", "-o", name)[1]["warnings"], [])
         warnings = self.report("in.obj", "-o", "out.obj", "--texture", "a.png")[1]["warnings"]

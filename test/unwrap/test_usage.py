@@ -131,7 +131,7 @@ class Usage(Case):
                              ("--html", "a.svg"), ("--obj-cut", "a.ply")):
             with self.subTest(option=option, name=name):
                 self.assertIn(name, self.assert_usage("sphere.off", option, name)["message"])
-        self.assertEqual(self.unwrap("sphere.off", "--json", "a.obj").returncode, 2)
+        self.assertEqual(self.unwrap("sphere.off", "--json", "a.csv").returncode, 2)
         self.assertEqual(self.files(), ["sphere.off"])
         self.assertEqual(self.unwrap("sphere.off", "-o", "a", "--svg", "b", "--json", "c.txt", "--obj-cut", "d",
                                      "--texture", "e.PNG").returncode, 0)

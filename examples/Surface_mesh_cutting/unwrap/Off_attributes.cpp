@@ -47,6 +47,8 @@ void Off_attributes::add_point(const std::vector<double>& numbers, Polygon_soup&
     soup.colors.push_back(three(numbers, first_color));
     note_alpha(&numbers[first_color], end_of_color - first_color);
   }
+  if(!m_header.has_color && end_of_color > first_color && std::isfinite(numbers[first_color]))
+    soup.kinds.insert(Data_kind::OTHER_PROPERTIES); // that the header does not announce
   if(!m_header.has_uv || !m_attributes.has_uvs)
     return;
   const Polygon_soup::Texture_point uv = numbers.size() < 2 ? Polygon_soup::Texture_point{{not_given, not_given}}

@@ -84,18 +84,22 @@ void write_stream(const Output_place& place, const std::string& content)
     fail_to_write(place.path, std::strerror(errno));
 }
 
-// With the permissions of the file that it will replace and, as far as the user may give files away, with its owner.
+// Gives the file to the owner of the one that it will replace, or at least to its group. Not everybody may.
+bool give_away(const Descriptor& file, const struct stat& former)
+{
+  constexpr uid_t same_user = uid_t(-1);
+  return fchown(file.number(), former.st_uid, former.st_gid) == 0 || fchown(file.number(), same_user, former.st_gid) == 0;
+}
+
+// With the permissions and, where possible, the owner of the file that it will replace.
 void write_file(Descriptor& file, const std::string& content, const fs::path& place)
 {
   struct stat former = {};
   if(stat(place.c_str(), &former) == 0)
   {
-    constexpr uid_t same_user = uid_t(-1);
-    if(fchown(file.number(), former.st_uid, former.st_gid) != 0
-       && fchown(file.number(), same_user, former.st_gid) != 0 && errno != EPERM && errno != ENOSYS)
-      fail_to_write(place, std::strerror(errno));
     if(fchmod(file.number(), former.st_mode & 0777) != 0)
       fail_to_write(place, std::strerror(errno));
+    give_away(file, former);
   }
   write_to(file.number(), content, most_for_files, place);
   if(!file.close())

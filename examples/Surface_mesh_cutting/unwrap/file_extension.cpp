@@ -7,18 +7,15 @@ bool is_in(const std::vector<std::string>& list, const std::string& ending)
   return std::find(list.begin(), list.end(), ending) != list.end();
 }
 
-// Whether a file with this ending is surely something else.
-bool stands_for_another_format(const std::string& ending)
+// Of formats of the same kind, which somebody may expect instead.
+const std::vector<std::string>& alternatives_to(Output_format format)
 {
-  static const std::vector<std::string> others
-    = {".off", ".stl", ".fbx", ".dae", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".tga", ".webp", ".pdf"};
-  if(is_in(others, ending))
-    return true;
-  for(const Output_format format : {Output_format::MESH, Output_format::LINES, Output_format::MATERIAL, Output_format::PICTURE, Output_format::IMAGE,
-                                    Output_format::PAGE, Output_format::REPORT})
-    if(is_in(endings_of(format), ending))
-      return true;
-  return false;
+  static const std::vector<std::string> meshes
+    = {".ply", ".glb", ".gltf", ".off", ".stl", ".fbx", ".dae", ".3ds", ".usd", ".usdz", ".dxf"};
+  static const std::vector<std::string> pictures = {".svg", ".html", ".htm", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif",
+                                                    ".tiff", ".tga", ".webp", ".pdf", ".eps", ".ps"};
+  static const std::vector<std::string> texts = {".csv", ".xml", ".yaml", ".yml", ".toml", ".html"};
+  return format == Output_format::REPORT ? texts : format == Output_format::LINES ? meshes : pictures;
 }
 
 } // namespace
@@ -30,7 +27,7 @@ std::string find_wrong_ending(const std::string& path, Output_format format)
   if(ending.empty() || is_in(endings, ending))
     return "";
   const bool decides = format == Output_format::MESH || format == Output_format::IMAGE;
-  if(!decides && !stands_for_another_format(ending))
+  if(!decides && !is_in(alternatives_to(format), ending))
     return "";
   std::string list;
   for(const std::string& known : endings)

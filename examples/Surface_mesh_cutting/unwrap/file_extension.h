@@ -27,8 +27,8 @@ inline const std::vector<std::string>& endings_of(Output_format format)
   return endings[std::size_t(format)];
 }
 
-// Why a file of this name should not be written, or empty. A name may have no ending; but for meshes and images, whose
-// ending decides how others read them, it may also be one that stands for nothing else.
+// Why a file of this name should not be written, or empty. A name may have no ending. That of a mesh or an image, which
+// decides how others read it, is one of those above; that of another output is none of a similar format.
 std::string find_wrong_ending(const std::string& path, Output_format format);
 
 inline bool is_glb(const std::string& path) { return extension_of(path) == ".glb"; } // the binary form of glTF

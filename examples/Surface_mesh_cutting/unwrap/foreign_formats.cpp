@@ -71,6 +71,9 @@ std::string refuse_content(std::string_view bytes)
     return refusal("COLLADA");
   if(bytes.substr(0, size_of_start).find("<X3D") != std::string_view::npos)
     return refusal("X3D");
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if(first < bytes.size() && bytes[first] == '{' && bytes.find("\"asset\"") != std::string_view::npos)
+    return "the file is glTF in text, which may refer to other files: its name has to end in .gltf";
   return {};
 }
 

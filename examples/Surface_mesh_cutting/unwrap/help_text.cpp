@@ -37,8 +37,8 @@ Examples:
 )";
 
 const char* const full_footer = R"(
-Input: OFF, OBJ, PLY, STL, glTF, and whatever else CGAL reads. Nothing is repaired, everything is
-interpreted: vertices and faces keep their number and order (only STL and glTF, which repeat points,
+Input: OFF, OBJ, PLY, STL, glTF, and whatever else CGAL reads; text may be UTF-8 or UTF-16, and - is the
+standard input. Nothing is repaired, everything is interpreted: vertices and faces keep their number and order (only STL and glTF, which repeat points,
 get equal ones merged). Faces may have any number of corners; they are never cut across. Edges
 with more than two faces keep pairs of them connected and are open to the others; vertices of
 several fans are as many vertices; where neighbors disagree about which side is up, as few
@@ -48,8 +48,9 @@ texture coordinates of the place where they lie. The report lists all this in "i
 
 Output: texture coordinates lie in the unit square, charts apart by the margin and all at the same
 scale (uv_scale in the report), and no two triangles overlap. Corners share one unless a cut edge lies
-between them. From OBJ to OBJ, PLY to PLY and glTF to glTF, all else stays. Files appear when the run is
-complete.
+between them. From OBJ to OBJ, PLY to PLY and glTF to glTF, all else stays; a warning names what
+the format of the output cannot hold. A name may not end like that of another format. Files appear
+when the run is complete.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
 of vertices, all counted from 0. For --must-cut and --initial-cut, uv stands for the seams of the
@@ -65,7 +66,7 @@ Weights: what a cut costs, by default its length, times the factors of all --edg
   occlusion       the same, hidden only by what is within a tenth of the bounding box diagonal
   sky, sky:AXIS   the same, seen from above only; AXIS is x, y (default), z, -x, -y or -z
   colors          0.2 where the red channel of the vertex colors in INPUT is 0, up to 1 where it is
-                  full (COFF; OBJ with red, green and blue behind coordinates; PLY with red)
+                  full
   paint:FILE      the mean of the numbers at both ends; FILE has one number, at least 0, in each
                   line for each vertex, or a vertex and its number; other vertices have 1
   FILE            weight over length; FILE has the two vertices and the weight of an edge in each

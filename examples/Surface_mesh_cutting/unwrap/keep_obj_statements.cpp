@@ -9,14 +9,6 @@
 
 namespace {
 
-int count_words(Text_scanner scanner)
-{
-  int number = 0;
-  while(!scanner.word_in_line().empty())
-    ++number;
-  return number;
-}
-
 // With a blank before each word.
 std::string remaining_words(Text_scanner& scanner)
 {
@@ -70,16 +62,19 @@ std::string words_with_points(std::size_t first_point, Text_scanner& scanner, in
 
 void keep_point_end(Text_scanner scanner, Polygon_soup& soup)
 {
-  const int number_of_words = count_words(scanner);
+  const std::string end = remaining_words(scanner);
+  const auto number_of_words = std::count(end.begin(), end.end(), ' ');
   if(number_of_words >= 3)
     soup.kinds.insert(Data_kind::COLORS);
-  if(number_of_words == 1 || number_of_words == 4)
+  if(number_of_words == 4)
+    soup.kinds.insert(Data_kind::TRANSPARENCY);
+  if(number_of_words == 1 && number_or_nan(std::string_view(end).substr(1)) != 1)
     soup.kinds.insert(Data_kind::POINT_WEIGHTS);
   std::vector<std::string>& ends = soup.obj_statements.point_ends;
-  if(number_of_words == 0 && ends.empty())
+  if(end.empty() && ends.empty())
     return;
   ends.resize(soup.points.size() - 1);
-  ends.push_back(remaining_words(scanner));
+  ends.push_back(end);
 }
 
 void keep_normal_index(std::string_view word, Polygon_soup& soup)
@@ -101,7 +96,6 @@ void keep_normal(Text_scanner& scanner, Polygon_soup& soup)
 
 void keep_statement(std::string_view word, const Obj_keyword* keyword, Text_scanner& scanner, Polygon_soup& soup)
 {
-  soup.kinds.insert(keyword != nullptr ? keyword->kind : Data_kind::UNKNOWN_STATEMENTS);
   std::string text(word);
   if(keyword != nullptr && keyword->has_names)
     text += names(scanner);
@@ -109,6 +103,8 @@ void keep_statement(std::string_view word, const Obj_keyword* keyword, Text_scan
     text += words_with_points(*keyword->first_point, scanner, soup.number_of_points());
   else
     text += remaining_words(scanner);
+  if(text != "s off" && text != "s 0") // which is how it is without
+    soup.kinds.insert(keyword != nullptr ? keyword->kind : Data_kind::UNKNOWN_STATEMENTS);
   soup.obj_statements.lines.push_back({soup.number_of_polygons(), text});
 }
 

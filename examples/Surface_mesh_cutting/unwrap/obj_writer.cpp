@@ -117,6 +117,8 @@ Data_kinds kinds_in_obj(const Layout& layout, bool has_own_material)
     kinds.insert({Data_kind::MATERIALS, Data_kind::MATERIAL_FILES});
   if(!layout.colors.empty() || !layout.obj_statements.point_ends.empty())
     kinds.insert(Data_kind::COLORS);
+  if(!layout.obj_statements.point_ends.empty())
+    kinds.insert(Data_kind::TRANSPARENCY);
   return kinds;
 }
 
