@@ -43,5 +43,5 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   const auto distance = [&word](const std::string& other) { return edit_distance(word, other); };
   const std::string& nearest = *std::min_element(
     words.begin(), words.end(), [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
-  return 3 * distance(nearest) <= nearest.size() ? "; did you mean " + nearest + "?" : "";
+  return 2 * distance(nearest) <= nearest.size() ? "; did you mean " + nearest + "?" : "";
 }

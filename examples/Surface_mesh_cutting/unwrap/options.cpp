@@ -119,8 +119,8 @@ void add_constraint_options(CLI::App& app, Options& options)
          for(const std::string& word : words)
            options.edge_weights.push_back(parse_weights(word));
        },
-       "Cost of cutting an edge, instead of its length: low at\ncreases, low where hidden, painted or from a file (see\n"
-       "below). Can be given several times: the factors multiply")
+       "Cost of cutting an edge, instead of its length: crease,\nvisibility, FILE and others (--help-all). Can be given\n"
+       "several times: the factors multiply")
     ->option_text("WEIGHTS")->allow_extra_args(false)->group(group);
 }
 
