@@ -14,6 +14,7 @@
 #include "pack.h"
 #include "supervise.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/rotation_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 
 #include <optional>

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, Optional, cast
 
 from . import _arrays, _extension
 from .errors import error_of, to_finding
-from .options import EFFORTS, INT_MAX, SurfaceOptions, choice, flag, integer, read, real, takes
+from .options import EFFORTS, INT_MAX, SurfaceOptions, choice, flag, integer, read, real, rotation, takes
 from .results import Certificate, PackingResult, make
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offsets: Optional[ArrayLike] = None, *,
                 margin: float = 2, texture_size: int = 1024, bijective: bool = True,
                 effort: Literal["fast", "default", "best"] = "default",
+                rotate: Optional[Literal["any", "quarter", "none"]] = None,
                 **options: Unpack[SurfaceOptions]) -> PackingResult:
     """Move charts into the unit square: turn and translate each one, and scale all by the same factor.
 
@@ -34,6 +35,9 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
         The UV of each corner.
     margin, texture_size
         As for `unwrap`.
+    rotate : {"any", "quarter", "none"}, optional
+        How charts may be turned: by any angle, by quarter turns from where they are aligned with the axes, or not at all. By
+        default, aligned charts are taken where that costs at most 3 % of what is filled.
     bijective : bool
         Whether no chart may overlap itself, either.
     effort : {"fast", "default", "best"}
@@ -56,7 +60,7 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
     call.update(read(pack_charts, SurfaceOptions, options), bijective=flag("bijective", bijective),
                 margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size),
-                effort=choice(*EFFORTS)("effort", effort))
+                effort=choice(*EFFORTS)("effort", effort), **rotation(rotate))
     found = _extension.pack_charts(call)
     if found["has_result"]:
         found["corner_uv"] = found["corner_uv"].reshape(*shape, 2)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 EFFORTS = ("fast", "default", "best")
+ROTATIONS = ("any", "quarter", "none")
 CONNECTIONS = ("best", "exact", "greedy", "shortest_path_heuristic", "metric_closure")
 
 
@@ -167,6 +168,11 @@ def choice(*names: str) -> Callable[[str, Any], str]:
         return value
 
     return read
+
+
+def rotation(value: Any) -> dict[str, str]:
+    """The argument `rotate` of a call, which by default is left out."""
+    return {} if value is None else {"rotate": choice(*ROTATIONS)("rotate", value)}
 
 
 def flag(name: str, value: Any) -> bool:

@@ -110,6 +110,11 @@ def test_pack_charts():
     assert 0 < fast.fill < 1.1 * best.fill
     with pytest.raises(ValueError, match="effort"):
         smc.pack_charts(many, all_faces, uv, effort="most")
+    with pytest.raises(ValueError, match="rotate"):
+        smc.pack_charts(points, faces, flat.corner_uv, rotate="quarters")
+    kept = smc.pack_charts(points, faces, flat.corner_uv, rotate="none")
+    shift = kept.corner_uv - kept.scale * flat.corner_uv  # the same everywhere
+    assert np.ptp(shift.reshape(-1, 2), axis=0) == pytest.approx([0, 0], abs=1e-12)
 
 
 def shortest_by_brute_force(number, edges, weights, terminals):
