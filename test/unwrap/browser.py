@@ -20,7 +20,7 @@ class Browser:
              "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--disable-dev-shm-usage", "--mute-audio",
              "--no-first-run", "--disable-extensions", "--disable-background-networking", "--hide-scrollbars"]
 
-    def __init__(self, profile, patience=60):
+    def __init__(self, profile, patience=60, more_flags=()):
         to_browser, self.output = os.pipe()
         self.input, from_browser = os.pipe()
         self.patience = patience
@@ -29,7 +29,7 @@ class Browser:
         self.pending = b""
         self.events = []
         # The browser reads from its descriptor 3 and writes to 4.
-        command = ["sh", "-c", 'exec "$@" 3<&"$IN" 4>&"$OUT"', "sh", find_browser(), *self.FLAGS,
+        command = ["sh", "-c", 'exec "$@" 3<&"$IN" 4>&"$OUT"', "sh", find_browser(), *self.FLAGS, *more_flags,
                    f"--user-data-dir={profile}", "about:blank"]
         self.process = subprocess.Popen(command, pass_fds=(to_browser, from_browser), stderr=subprocess.DEVNULL,
                                         env={**os.environ, "IN": str(to_browser), "OUT": str(from_browser)})

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 from browser import Browser, find_browser
-from support import Case, main, read_obj, sphere, to_off, torus
+from support import Case, main, read_obj, sphere, to_off, to_text_stl, torus
 
 SCREENSHOTS = Path(sys.argv.pop(3)) if len(sys.argv) > 3 else None
 SIZES = {"desktop": (1400, 900, False), "phone": (390, 844, True)}  # the phone in the dark
@@ -49,10 +49,14 @@ class Page(Case):
 
     def setUp(self):
         super().setUp()
+        self.browser = self.start_browser()
+
+    def start_browser(self, more_flags=()):
         profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.addCleanup(profile.cleanup)
-        self.browser = Browser(profile.name)
-        self.addCleanup(self.browser.close)
+        browser = Browser(profile.name, more_flags=more_flags)
+        self.addCleanup(browser.close)
+        return browser
 
     def count_colors(self, canvas):
         """Pixels of a canvas by color."""
@@ -122,6 +126,63 @@ class Page(Case):
                 self.browser.screenshot(SCREENSHOTS / f"{name}-{size}.png")
             self.assertEqual(self.browser.messages, [])
         return report
+
+    def test_no_webgl(self):
+        """The layout and the measures are there, and a sentence; nothing that needs the surface."""
+        self.write("sphere.off", to_off(sphere(3)))
+        run = self.unwrap("sphere.off", "--html", "sphere.html", "--json", "sphere.json", "--quiet")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = json.loads((self.folder / "sphere.json").read_text())
+        self.browser = self.start_browser(["--disable-3d-apis"])
+        is_shown = lambda id_: self.browser.evaluate(f"document.getElementById('{id_}').getClientRects().length > 0")
+        for size, (width, height, is_dark) in SIZES.items():
+            self.browser.open(self.folder / "sphere.html", width, height, is_dark)
+            self.check_values(report)
+            self.assertTrue(is_shown("no-surface"))
+            self.assertIn("WebGL", self.browser.evaluate("document.getElementById('no-surface').textContent"))
+            for id_ in ("surface", "reset", "up", "hovered"):
+                self.assertFalse(is_shown(id_), id_)
+            pictures = set()
+            for shading in range(3):
+                self.browser.evaluate(f"document.querySelectorAll('input[name=shading]')[{shading}].click()")
+                self.browser.settle()
+                covered = self.count_colors("layout")["covered"]
+                canvas = self.browser.evaluate("[document.getElementById('layout').width, document.getElementById('layout').height]")
+                side = min(canvas) / 1.16
+                self.assertLess(abs(covered * canvas[0] * canvas[1] / side ** 2 - report["fill"]), 0.06)
+                pictures.add(self.browser.evaluate("document.getElementById('layout').toDataURL()"))
+            self.assertEqual(len(pictures), 3)
+            if SCREENSHOTS:
+                SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+                self.browser.screenshot(SCREENSHOTS / f"no-webgl-{size}.png")
+            self.assertEqual(self.browser.messages, [])
+
+    def test_up_axis(self):
+        self.write("sphere.stl", to_text_stl(sphere(2)))
+        self.write("sphere.off", to_off(sphere(2)))
+        for name, options, up in (("sphere.off", (), "y"), ("sphere.stl", (), "z"), ("sphere.stl", ("--up", "x"), "x")):
+            self.assertEqual(self.unwrap(name, "--html", "a.html", "--quiet", "--effort", "fast", *options).returncode, 0)
+            self.browser.open(self.folder / "a.html", 1280, 900)
+            self.assertEqual(self.browser.evaluate("document.getElementById('up').value"), up)
+        pictures = set()
+        for up in "xyz":  # the sphere is an ellipsoid with three different axes
+            self.browser.evaluate(f"document.getElementById('up').value = '{up}';"
+                                  "document.getElementById('up').dispatchEvent(new Event('change'))")
+            self.browser.settle()
+            pictures.add(self.browser.evaluate("document.getElementById('surface').toDataURL()"))
+        self.assertEqual(len(pictures), 3)
+        self.assertEqual(self.browser.messages, [])
+
+    def test_words(self):
+        """The plot has numbers on both axes, and what there is none of is not shown."""
+        report = self.check_page("sphere", to_off(sphere(3)))
+        for axis in ("energy", "length"):
+            count = self.browser.evaluate(f"document.querySelectorAll('#tradeoff text.{axis}').length")
+            self.assertGreaterEqual(count, 2 if len(report["tradeoff"]) > 1 else 0)
+        self.assertEqual(report["polygons"], 0)
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('[data-key=polygons]').length"), 0)
+        stretch = float(self.browser.evaluate("document.querySelector('[data-key=E_iso]').textContent").split(" ")[0])
+        self.assertLess(abs(2 * ((1 + stretch / 100) ** 2 + (1 + stretch / 100) ** -2) - report["E_iso"]), 0.02)
 
     def test_no_handles(self):
         self.check_page("cow", cow())

@@ -11,11 +11,6 @@ namespace {
 
 constexpr double ideal = 4;
 
-// As text, by which they are round.
-constexpr std::array<const char*, 19> energy_labels = {{
-  "4.001", "4.002", "4.005", "4.01", "4.02", "4.05", "4.1", "4.2", "4.5", "5", "6", "8", "12", "20",
-  "40", "100", "1000", "10000", "100000"}};
-
 // 1, 2 or 5 times a power of ten, so that at most `number` of them fit into `extent`.
 double tick_distance(double extent, int number)
 {
@@ -26,9 +21,20 @@ double tick_distance(double extent, int number)
   return 10 * power;
 }
 
+// Multiples of such a distance from `low` to `high`.
+std::vector<double> ticks(double low, double high, int number)
+{
+  const double step = tick_distance(high - low, number);
+  std::vector<double> result;
+  for(double i = std::ceil(low / step); i * step <= high; ++i)
+    result.push_back(i * step + 0.); // not -0
+  return result;
+}
+
 std::string to_label(double number)
 {
   std::ostringstream text;
+  text.precision(8);
   text << number;
   return text.str();
 }
@@ -52,14 +58,18 @@ Trade_off_plot::Trade_off_plot(const Outcome& outcome)
     return;
   m_result = {{outcome.cut_length.value_or(0), outcome.average_energy.value_or(ideal)}};
   m_low_energy = m_high_energy = m_bound.value_or(m_points.front()[1]);
+  m_shortest = m_longest = m_result[0];
   for(const Point& p : m_points)
   {
+    m_shortest = (std::min)(m_shortest, p[0]);
     m_longest = (std::max)(m_longest, p[0]);
     m_low_energy = (std::min)(m_low_energy, p[1]);
     m_high_energy = (std::max)(m_high_energy, p[1]);
   }
-  constexpr double margin = 1.25;
-  m_longest *= 1.04;
+  constexpr double margin = 1.25, length_margin = 0.06;
+  const double more = length_margin * (m_longest > m_shortest ? m_longest - m_shortest : (std::max)(m_longest, 1.));
+  m_shortest -= more;
+  m_longest += more;
   m_low_energy = ideal + (m_low_energy - ideal) / margin;
   m_high_energy = ideal + (m_high_energy - ideal) * margin;
 }
@@ -72,7 +82,25 @@ double Trade_off_plot::position(double energy) const
 
 Trade_off_plot::Point Trade_off_plot::place(const Frame& frame, const Point& point) const
 {
-  return {{frame.left + frame.width * point[0] / m_longest, frame.top + frame.height * position(point[1])}};
+  return {{abscissa(frame, point[0]), frame.top + frame.height * position(point[1])}};
+}
+
+double Trade_off_plot::abscissa(const Frame& frame, double length) const
+{
+  return frame.left + frame.width * (length - m_shortest) / (m_longest - m_shortest);
+}
+
+// Round numbers where they are few enough; over several decades, those that are round above 4.
+std::vector<double> Trade_off_plot::energy_ticks() const
+{
+  constexpr double narrow = 6;
+  if(m_high_energy - ideal < narrow * (m_low_energy - ideal))
+    return ticks(m_low_energy, m_high_energy, 6);
+  std::vector<double> result;
+  for(double power = 1e-6; power < 1e6; power *= 10)
+    for(const double factor : {1., 2., 5.})
+      result.push_back(ideal + factor * power);
+  return result;
 }
 
 void Trade_off_plot::draw_axes(const Frame& frame, Number_writer& out) const
@@ -81,21 +109,20 @@ void Trade_off_plot::draw_axes(const Frame& frame, Number_writer& out) const
   const double right = frame.left + frame.width, bottom = frame.top + frame.height;
   Number_writer lines;
   double last = bottom + letter; // of the labels
-  for(const char* const label : energy_labels)
+  for(const double energy : energy_ticks())
   {
-    const double energy = std::stod(label), y = frame.top + frame.height * position(energy);
+    const double y = frame.top + frame.height * position(energy);
     if(energy < m_low_energy || energy > m_high_energy || last - y < letter)
       continue;
     draw_line({{frame.left, y}}, {{right, y}}, lines);
-    write_text(frame.left - 6, y + 4.5, "end", label, out);
+    write_text(frame.left - 6, y + 4.5, "end", to_label(energy), out);
     last = y;
   }
-  const double step = tick_distance(m_longest, 8);
-  for(int i = 0; i * step <= m_longest; ++i)
+  for(const double length : ticks(m_shortest, m_longest, 8))
   {
-    const double x = frame.left + frame.width * i * step / m_longest;
+    const double x = abscissa(frame, length);
     draw_line({{x, frame.top}}, {{x, bottom}}, lines);
-    write_text(x, bottom + 17, "middle", to_label(i * step), out);
+    write_text(x, bottom + 17, "middle", to_label(length), out);
   }
   out << "<path fill=\"none\" stroke=\"#ddd\" d=\"" << lines.text() << "\"/>\n";
   write_text(frame.left + frame.width / 2, bottom + 38, "middle",
@@ -106,7 +133,7 @@ void Trade_off_plot::draw_bound(const Frame& frame, Number_writer& out) const
 {
   if(!m_bound)
     return;
-  const double y = place(frame, {{0, *m_bound}})[1];
+  const double y = frame.top + frame.height * position(*m_bound);
   out << "<path class=\"bound\" fill=\"none\" stroke=\"#c30\" stroke-dasharray=\"6 4\" d=\"";
   draw_line({{frame.left, y}}, {{frame.left + frame.width, y}}, out);
   out << "\"/>\n<g fill=\"#c30\">\n";
@@ -129,7 +156,7 @@ void Trade_off_plot::draw_points(const Frame& frame, Number_writer& out) const
 
 void Trade_off_plot::draw(double left, double top, double width, Number_writer& out) const
 {
-  constexpr double title = 44, labels = 46;
+  constexpr double title = 44, labels = 58;
   const Frame frame = {left + labels, top + title, width - labels, height - title - labels};
   out << "<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n";
   write_text(left, top + 24, "start", "Mean energy of the cuts that were tried on the way", out);

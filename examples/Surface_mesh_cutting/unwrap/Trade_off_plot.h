@@ -34,6 +34,8 @@ private:
   };
 
   double position(double energy) const; // 0 at the top, 1 at the bottom
+  double abscissa(const Frame& frame, double length) const;
+  std::vector<double> energy_ticks() const;
   Point place(const Frame& frame, const Point& point) const;
   void draw_axes(const Frame& frame, Number_writer& out) const;
   void draw_bound(const Frame& frame, Number_writer& out) const;
@@ -42,7 +44,7 @@ private:
   std::vector<Point> m_points; // length and energy
   Point m_result = {};
   std::optional<double> m_bound;
-  double m_longest = 0, m_low_energy = 0, m_high_energy = 0;
+  double m_shortest = 0, m_longest = 0, m_low_energy = 0, m_high_energy = 0; // on the axes
 };
 
 #endif // UNWRAP_TRADE_OFF_PLOT_H

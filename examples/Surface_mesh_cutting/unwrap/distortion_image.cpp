@@ -1,6 +1,7 @@
 #include "distortion_image.h"
 
 #include "layout_energies.h"
+#include "stretch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +60,7 @@ void fill_triangle(const std::array<Point, 3>& corners, std::uint8_t color, Imag
 
 double position_on_scale(double energy)
 {
-  const double stretch = std::exp(std::acosh((std::max)(1., energy / 4)) / 2);
-  return (std::min)(1., std::log(stretch) / std::log(4.));
+  return (std::min)(1., std::log(stretch_of(energy)) / std::log(4.));
 }
 
 Image draw_distortion(const Layout& layout, const Point& low, double pixel, int width, int height)

@@ -8,13 +8,14 @@
 
 #include <array>
 
-// Colors of equal perceived distance (after magma of matplotlib), from no distortion to much.
+// From no distortion to much, of the picture and of the page: from cream over yellow to blue, darker at each step, after
+// cividis (Nuñez, Anderton, Renslow 2018), which is read alike with and without color vision deficiency.
 constexpr std::array<Image::Color, 9> distortion_colors = {{
-  {{252, 253, 191}}, {{254, 196, 136}}, {{252, 137, 97}}, {{231, 82, 99}}, {{183, 55, 121}},
-  {{131, 38, 129}}, {{81, 18, 124}}, {{29, 17, 71}}, {{0, 0, 4}}}};
+  {{251, 247, 233}}, {{243, 228, 176}}, {{226, 203, 106}}, {{181, 167, 112}}, {{138, 135, 120}},
+  {{98, 103, 114}}, {{64, 78, 112}}, {{20, 54, 114}}, {{0, 32, 76}}}};
 
-// Where a symmetric Dirichlet energy lies on that scale, from 0 to 1: proportional to the logarithm
-// of the stretch s for which a map with singular values s and 1/s has this energy; 1 is s = 4.
+// Where a symmetric Dirichlet energy lies on that scale, from 0 to 1: proportional to the logarithm of the stretch; 1 is
+// four times as long.
 double position_on_scale(double energy);
 
 // The image covers the rectangle from `low` with `width` times `height` pixels of size `pixel`;

@@ -32,6 +32,7 @@ inline const std::vector<std::string>& endings_of(Output_format format)
 std::string find_wrong_ending(const std::string& path, Output_format format);
 
 inline bool is_glb(const std::string& path) { return extension_of(path) == ".glb"; } // the binary form of glTF
+inline bool is_for_printing(const std::string& path) { return extension_of(path) == ".stl" || extension_of(path) == ".3mf"; }
 inline bool is_ply(const std::string& path) { return extension_of(path) == ".ply"; }
 inline bool is_obj(const std::string& path) { return !is_glb(path) && !is_ply(path); } // also without an ending
 

@@ -1,7 +1,9 @@
 #include "html_writer.h"
 
 #include "base64.h"
+#include "distortion_image.h"
 #include "file_bytes.h"
+#include "file_extension.h"
 #include "layout_energies.h"
 #include "outcome.h"
 #include "page_parts.h"
@@ -84,12 +86,20 @@ std::string escaped(std::string_view json)
   return text;
 }
 
+// Models for printers stand on the plane of x and y.
+std::string up_axis(const Options& options)
+{
+  return !options.up.empty() ? options.up : is_for_printing(options.input) ? "z" : "y";
+}
+
 std::string facts(const Layout& layout, const Options& options)
 {
-  const nlohmann::ordered_json facts = {{"name", std::filesystem::path(options.input).filename().string()},
+  const nlohmann::ordered_json facts = {{"name", std::filesystem::path(name_of_input(options.input)).filename().string()},
                                         {"margin", options.margin},
                                         {"texture_size", options.texture_size},
-                                        {"diagonal", layout.bounding_box_diagonal}};
+                                        {"diagonal", layout.bounding_box_diagonal},
+                                        {"up", up_axis(options)},
+                                        {"ramp", distortion_colors}};
   return facts.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

@@ -147,11 +147,11 @@ void draw_legend(const Outcome& outcome, double top, double width, Number_writer
          "stroke=\"#999\" stroke-width=\".5\"/>\n"
          "<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n";
   write_text(margin, top + 16, "start",
-             "Symmetric Dirichlet energy per triangle (4: no distortion)", out);
-  for(const char* const label : {"4", "4.1", "4.5", "5", "6", "8", "12", "20", "32"})
+             "How far a triangle is stretched (symmetric Dirichlet energy: 0 % is 4, 12 % is 4.1)", out);
+  for(const int percent : {0, 25, 50, 100, 200, 300})
   {
-    const double x = margin + position_on_scale(std::stod(label)) * width;
-    write_text(x, top + 55, "middle", label, out);
+    const double stretch = 1 + percent / 100., energy = 2 * (stretch * stretch + 1 / (stretch * stretch));
+    write_text(margin + position_on_scale(energy) * width, top + 55, "middle", std::to_string(percent) + " %", out);
   }
   write_text(margin, top + 78, "start", caption(outcome), out);
   out << "</g>\n";

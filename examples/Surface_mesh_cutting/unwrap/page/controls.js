@@ -6,7 +6,7 @@ function hover(face) {
   document.body.dataset.hovered = face;
   views.forEach(view => view.light(face));
   element('hovered').textContent = face < 0 ? 'Point at a triangle to find it in both views.'
-    : 'Triangle ' + digits(face) + ': energy ' + digits(energies[face], 5) + ', vertices '
+    : 'Triangle ' + digits(face) + ': stretched by ' + stretched(energies[face]) + ', energy ' + digits(energies[face], 5) + ', vertices '
       + Array.from(triangles.subarray(3 * face, 3 * face + 3)).join(', ');
   redraw();
 }
@@ -98,9 +98,34 @@ function copies(vertices) {
   return Uint32Array.from(found);
 }
 
+// What is drawn, by what the user chose.
+const chosen = () => ({
+  shading: Number(document.querySelector('input[name=shading]:checked').value),
+  hasCut: element('show-cut').checked,
+  hasPoints: element('show-points').checked});
+
+// Calls `change()` when the user chooses something, and `recolor()` when the page becomes dark or light.
+function listen(change, recolor, resize) {
+  for (const input of document.querySelectorAll('input'))
+    input.addEventListener('change', () => {
+      element('legend').classList.toggle('hidden', chosen().shading !== 0);
+      change();
+    });
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', recolor);
+  new ResizeObserver(resize).observe(element('layout'));
+}
+
+// For tests: where a UV is on the page. `project` says where it is on the canvas.
+function tellPlaces(project) {
+  window.pixelOfUV = (u, v) => {
+    const box = element('layout').getBoundingClientRect(), [x, y] = project(u, v);
+    return [box.left + x, box.top + y];
+  };
+}
+
 function showViews() {
   uniforms.ramp.value = rampTexture();
-  uniforms.squares.value = 40 / facts.diagonal / (report.uv_scale || 1);
+  uniforms.squares.value = checkerFrequency();
   const corners = makeCorners();
   const surface = new SurfaceView(element('surface'), makeGeometry(false, corners), false, points, triangles);
   const layout = new LayoutView(element('layout'), makeGeometry(true, corners), true, flat, uvTriangles);
@@ -114,49 +139,61 @@ function showViews() {
   views.push(surface, layout);
   views.forEach(control);
 
+  const change = () => {
+    const {shading, hasCut, hasPoints} = chosen();
+    uniforms.shading.value = shading;
+    for (const view of views) {
+      view.cut.visible = hasCut;
+      view.points.forEach(object => { object.visible = hasPoints; });
+    }
+    redraw();
+  };
   const recolor = () => {
     uniforms.plain.value = variable('--surface');
     views.forEach(view => view.recolor());
     redraw();
   };
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', recolor);
   const resize = () => {
     views.forEach(view => view.resize());
     redraw();
   };
-  new ResizeObserver(resize).observe(element('surface'));
+  listen(change, recolor, resize);
   resize();
   recolor();
-
-  for (const input of document.querySelectorAll('input[name=shading]'))
-    input.addEventListener('change', () => {
-      uniforms.shading.value = Number(input.value);
-      element('legend').classList.toggle('hidden', input.value !== '0');
-      redraw();
-    });
-  const toggle = (id, change) => element(id).addEventListener('change', event => {
-    views.forEach(view => change(view, event.target.checked));
-    redraw();
-  });
-  toggle('show-cut', (view, isShown) => { view.cut.visible = isShown; });
-  toggle('show-points', (view, isShown) => view.points.forEach(object => { object.visible = isShown; }));
-  element('reset').addEventListener('click', () => {
+  change();
+  const reset = () => {
     views.forEach(view => view.reset());
     redraw();
-  });
-  element('layout-hint').textContent = report.fill === null ? 'at the scale of the surface' : 'the unit square';
-  // For tests: where a UV is on the page.
-  window.pixelOfUV = (u, v) => {
-    const box = element('layout').getBoundingClientRect(), [x, y] = layout.project([u, v, 0]);
-    return [box.left + x, box.top + y];
   };
+  element('reset').addEventListener('click', reset);
+  element('up').addEventListener('change', reset);
+  tellPlaces((u, v) => layout.project([u, v, 0]));
   views.forEach(view => view.draw());
 }
 
+function showLayoutAlone() {
+  document.body.classList.add('flat');
+  element('no-surface').hidden = false;
+  const layout = new FlatLayout(element('layout'), [[copies(branchPoints()), false], [copies(features), true]]);
+  const draw = () => layout.draw(chosen());
+  const resize = () => {
+    layout.resize();
+    draw();
+  };
+  listen(draw, draw, resize);
+  resize();
+  element('layout').setAttribute('aria-label', 'The layout in the plane.');
+}
+
+element('up').value = facts.up;
+element('layout-hint').textContent = layoutHint();
 showFigures();
 showWords();
 showMeasures();
 showTradeOffs();
 showLegend();
-showViews();
+if (hasWebGL())
+  showViews();
+else
+  showLayoutAlone();
 document.body.dataset.ready = Math.round(performance.now());

@@ -24,6 +24,13 @@ const numberOfFaces = triangles.length / 3;
 
 const digits = (value, precision = 4) => typeof value !== 'number' ? String(value)
   : Number.isInteger(value) ? value.toLocaleString('en') : String(Number(value.toPrecision(precision)));
+// The s of 1 or more for which a map that stretches by s one way and by 1/s the other way has this energy.
+function stretch(energy) {
+  const a = Math.max(1, energy / 4);
+  return Math.sqrt(a + Math.sqrt(a * a - 1));
+}
+const percent = (share, precision = 2) => digits(100 * share, precision) + ' %';
+const stretched = energy => percent(stretch(energy) - 1);
 const plural = (count, one, many) => digits(count) + ' ' + (count === 1 ? one : many);
 
 function append(parent, name, text, attributes = {}) {
@@ -43,10 +50,11 @@ function show(parent, name, key, text) {
 
 function showFigures() {
   const figures = [
-    ['E_iso', 'Mean distortion', digits, '4 is none'], ['E_max', 'Largest distortion', digits, 'of any triangle'],
+    ['E_iso', 'Stretch', stretched, 'on average; energy ' + digits(report.E_iso)],
+    ['E_max', 'Largest stretch', stretched, 'of any triangle; energy ' + digits(report.E_max)],
     ['cut_length', 'Length of the cut', digits, 'bounding box diagonals'], ['charts', 'Charts', digits, 'pieces of the layout'],
-    ['fill', 'Square filled', value => digits(100 * value, 3) + ' %', 'area of the charts'],
-    ['overlaps', 'Overlaps', digits, 'decided exactly'], ['flips', 'Flips', digits, 'decided exactly']];
+    ['fill', 'Square filled', value => percent(value, 3), 'by the charts'],
+    ['overlaps', 'Overlaps', digits, 'proven'], ['flips', 'Flips', digits, 'proven']];
   for (const [key, label, format, unit] of figures) {
     if (report[key] === null || report[key] === undefined)
       continue;
@@ -76,9 +84,20 @@ function sentences() {
   if (report.uv_scale && report.fill !== null)
     texts.push('One unit of length on the surface is ' + digits(report.uv_scale) + ' units of the unit square, the same for all charts, which are at least '
       + digits(facts.margin) + ' texels of ' + digits(facts.texture_size) + ' apart.');
-  texts.push(report.message.charAt(0).toUpperCase() + report.message.slice(1) + '.');
+  if (report.status !== 'done')
+    texts.push(report.message.charAt(0).toUpperCase() + report.message.slice(1) + '.');
   return texts;
 }
+
+// What the report calls "interpreted".
+const interpretations = {
+  non_manifold_edges: n => n + ' edges with more than two faces, of which pairs stay connected',
+  non_manifold_vertices: n => n + ' vertices where parts of the surface only touch, which count once for each part',
+  reoriented_faces: n => n + ' faces that look to the other side than their neighbors, read backward',
+  non_orientable_edges: n => n + ' edges opened, since the surface has only one side',
+  degenerate_faces: n => n + ' faces with fewer than three different corners, which get the coordinates of their place',
+  duplicate_faces: n => n + ' faces given again, which get the same coordinates',
+  welded_vertices: n => n + ' vertices that count as one with another one at the same point'};
 
 function showWords() {
   document.title = facts.name + ' – unwrapped';
@@ -88,7 +107,7 @@ function showWords() {
     append(element('words'), 'p', text);
   const notes = report.warnings.map(text => 'Warning: ' + text);
   for (const item of report.interpreted || [])
-    notes.push('Read as it was meant: ' + digits(item.count) + ' ' + item.what.replace(/_/g, ' '));
+    notes.push('In the input: ' + (interpretations[item.what] || (() => item.what.replace(/_/g, ' ')))(digits(item.count)) + '.');
   if (notes.length > 0) {
     const list = append(element('words'), 'ul', undefined, {'class': 'warning'});
     for (const note of notes)
@@ -98,7 +117,7 @@ function showWords() {
 
 function showMeasures() {
   const names = {
-    status: 'Status', vertices: 'Vertices', faces: 'Faces', polygons: 'Polygons', components: 'Components', genus: 'Handles', borders: 'Borders',
+    status: 'Status', vertices: 'Vertices', faces: 'Faces', polygons: 'Faces that are no triangles', components: 'Components', genus: 'Handles', borders: 'Borders',
     candidates: 'Candidates', features: 'Feature points', auxiliary: 'Branch points added', cut_length: 'Length of the cut',
     cut_cost: 'Cost of the cut', cut_lower_bound: 'Lower bound on its length', optimal: 'Proven shortest', E_iso: 'Mean energy',
     E_max: 'Largest energy', flips: 'Flips', overlaps: 'Overlaps', charts: 'Charts', uv_scale: 'Scale of the UVs', fill: 'Fill of the square',
@@ -109,7 +128,7 @@ function showMeasures() {
     make(row);
   };
   for (const key in names)
-    if (report[key] !== null && report[key] !== undefined)
+    if (report[key] !== null && report[key] !== undefined && !(key === 'polygons' && report[key] === 0))
       add(names[key], row => show(row, 'dd', key, typeof report[key] === 'boolean' ? (report[key] ? 'yes' : 'no') : digits(report[key], 6)));
   const columns = {
     max_area_distortion: 'Largest area distortion', average_area_discrepancy: 'Average area discrepancy',
@@ -132,41 +151,3 @@ function svg(parent, name, attributes, text) {
   return child;
 }
 
-// The cuts that the run considered; the energy above 4 on a logarithmic scale.
-function showTradeOffs() {
-  const tried = report.tradeoff.filter(([, energy]) => energy > 4);
-  if (tried.length < 2) {
-    element('tradeoff-section').remove();
-    return;
-  }
-  const width = 420, height = 250, left = 52, right = 12, top = 10, bottom = 44;
-  const longest = Math.max(...tried.map(t => t[0]), report.cut_length) * 1.05;
-  const logs = tried.map(t => Math.log(t[1] - 4));
-  const low = Math.min(...logs) - 0.15, high = Math.max(...logs) + 0.15;
-  const x = length => left + (width - left - right) * length / longest;
-  const y = energy => top + (height - top - bottom) * (high - Math.log(energy - 4)) / (high - low);
-  const plot = svg(element('tradeoff'), 'svg', {viewBox: `0 0 ${width} ${height}`, role: 'img',
-    'aria-label': 'Mean energy of the cuts that were tried, by their length'});
-  let last = Infinity;
-  for (const label of ['4.0001', '4.001', '4.002', '4.005', '4.01', '4.02', '4.05', '4.1', '4.2', '4.5', '5', '6', '8', '12', '20', '40', '100', '1000', '10000']) {
-    const at = y(Number(label));
-    if (!(at >= top && at <= height - bottom && last - at > 16))
-      continue;
-    last = at;
-    svg(plot, 'line', {x1: left, x2: width - right, y1: at, y2: at, stroke: 'var(--line)'});
-    svg(plot, 'text', {x: left - 8, y: at + 4, 'text-anchor': 'end'}, label);
-  }
-  const power = Math.pow(10, Math.floor(Math.log10(longest / 5)));
-  const step = [1, 2, 5, 10].map(f => f * power).find(s => longest / s <= 6);
-  for (let i = 0; i * step <= longest; ++i)
-    svg(plot, 'text', {x: x(i * step), y: height - bottom + 18, 'text-anchor': 'middle'}, String(Number((i * step).toPrecision(6))));
-  svg(plot, 'text', {x: (left + width - right) / 2, y: height - 6, 'text-anchor': 'middle'}, 'length of the cut in bounding box diagonals');
-  svg(plot, 'polyline', {points: tried.map(t => x(t[0]) + ',' + y(t[1])).join(' '), fill: 'none', stroke: 'var(--accent)', 'stroke-width': 2, 'stroke-linejoin': 'round'});
-  for (const t of tried) {
-    const dot = svg(plot, 'circle', {cx: x(t[0]), cy: y(t[1]), r: 3, fill: 'var(--accent)', 'data-key': 'tradeoff', 'data-value': JSON.stringify(t)});
-    svg(dot, 'title', {}, 'length ' + digits(t[0]) + ', mean energy ' + digits(t[1], 5));
-  }
-  if (report.E_iso > 4)
-    svg(plot, 'circle', {cx: x(report.cut_length), cy: y(report.E_iso), r: 6, fill: 'var(--panel)', stroke: 'var(--cut)', 'stroke-width': 3});
-  append(element('tradeoff'), 'p', 'Mean energy of the cuts that were tried on the way; the ring is the result.');
-}

@@ -2,19 +2,22 @@
 
 // ---- colors
 
-// From cream over yellow to blue, darker at each step, after cividis (Nuñez, Anderton, Renslow 2018): read alike with and
-// without color vision deficiency. Light is good.
-const ramp = [[251, 247, 233], [243, 228, 176], [226, 203, 106], [181, 167, 112], [138, 135, 120], [98, 103, 114], [64, 78, 112], [20, 54, 114], [0, 32, 76]];
-// Of the logarithm of the stretch s for which a map with singular values s and 1/s has this energy; 1 is s = 4.
-function place(energy) {
-  const a = Math.max(1, energy / 4);
-  return Math.min(1, Math.log(a + Math.sqrt(a * a - 1)) / 2 / Math.log(4));
+// Light is good.
+const ramp = facts.ramp;
+
+// On the scale, which is proportional to the logarithm of the stretch; 1 is four times as long.
+const place = energy => Math.min(1, Math.log(stretch(energy)) / Math.log(4));
+
+// The color at a place of the scale, as three numbers up to 255.
+function color(at) {
+  const k = Math.min(ramp.length - 2, Math.floor(at * (ramp.length - 1))), share = at * (ramp.length - 1) - k;
+  return ramp[k].map((value, c) => Math.round(value + share * (ramp[k + 1][c] - value)));
 }
 
 function showLegend() {
   element('ramp').style.background = 'linear-gradient(to right,' + ramp.map(c => `rgb(${c})`).join() + ')';
-  for (const label of ['4', '4.1', '4.5', '5', '6', '8', '12', '20', '32'])
-    append(element('ticks'), 'span', label).style.left = 100 * place(Number(label)) + '%';
+  for (const percent of [0, 25, 50, 100, 200, 300])
+    append(element('ticks'), 'span', percent + ' %').style.left = 100 * Math.log(1 + percent / 100) / Math.log(4) + '%';
 }
 
 const variable = name => new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim());
@@ -23,11 +26,8 @@ const variable = name => new THREE.Color(getComputedStyle(document.documentEleme
 
 function rampTexture() {
   const bytes = new Uint8Array(256 * 3);
-  for (let i = 0; i < 256; ++i) {
-    const at = i / 255 * (ramp.length - 1), k = Math.min(ramp.length - 2, Math.floor(at));
-    for (let c = 0; c < 3; ++c)
-      bytes[3 * i + c] = Math.round(ramp[k][c] + (at - k) * (ramp[k + 1][c] - ramp[k][c]));
-  }
+  for (let i = 0; i < 256; ++i)
+    bytes.set(color(i / 255), 3 * i);
   const texture = new THREE.DataTexture(bytes, 256, 1, THREE.RGBFormat);
   texture.needsUpdate = true;
   return texture;
@@ -45,14 +45,6 @@ function vertexNormals() {
         normals[v + k] += n[k];
   }
   return normals;
-}
-
-function gathered(source, size, indices) {
-  const result = new Float32Array(size * indices.length);
-  for (let i = 0; i < indices.length; ++i)
-    for (let k = 0; k < size; ++k)
-      result[size * i + k] = source[size * indices[i] + k];
-  return result;
 }
 
 const flat = new Float32Array(uvs.length / 2 * 3);

@@ -193,7 +193,9 @@ class SurfaceView extends View {
   }
 
   reset() {
-    this.rotation = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.35, -0.6, 0));
+    const quarter = Math.PI / 2, upright = {x: [0, 0, quarter], y: [0, 0, 0], z: [-quarter, 0, 0]}[element('up').value];
+    this.rotation = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.35, -0.6, 0))
+      .multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(...upright)));
     this.zoom = 1;
     this.shift = new THREE.Vector2();
   }
@@ -230,15 +232,8 @@ class LayoutView extends View {
   constructor(...rest) {
     super(...rest);
     this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
-    this.low = [Infinity, Infinity];
-    this.high = [-Infinity, -Infinity];
-    for (let i = 0; i < uvs.length; ++i) {
-      this.low[i % 2] = Math.min(this.low[i % 2], uvs[i]);
-      this.high[i % 2] = Math.max(this.high[i % 2], uvs[i]);
-    }
+    Object.assign(this, layoutBox());
     if (report.fill !== null) { // the square itself
-      this.low = [0, 0];
-      this.high = [1, 1];
       const square = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]);
       this.square = new THREE.LineLoop(new THREE.BufferGeometry().setAttribute('position', new THREE.BufferAttribute(square, 3)), new THREE.LineBasicMaterial());
       this.scene.add(this.square);
