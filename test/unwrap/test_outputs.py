@@ -235,6 +235,14 @@ class Outputs(Case):
             self.assertTrue(all(0 < x < width and 0 < y < height for x, y in places))
             own = parts["g", "result"][0]
             self.assertLess(min(math.dist(place, (float(own.get("cx")), float(own.get("cy")))) for place in places), 0.1)
+            # The axes end near the points, and have numbers.
+            texts = [node.text for node in root.iter() if node.tag.endswith("text")]
+            numbers = [float(text) for text in texts if re.fullmatch(r"[\d.]+", text)]
+            lengths, energies = zip(*report["tradeoff"])
+            for values in (lengths, energies):
+                self.assertGreaterEqual(sum(min(values) - 0.3 < number < max(values) + 0.3 for number in numbers), 2)
+            xs = [x for x, _ in places]
+            self.assertGreater(max(xs) - min(xs), 300)  # of 422
             return [y for _, y in places], report["tradeoff"], parts.get(("path", "bound"))
 
         self.assertIsNone(plot()[2])

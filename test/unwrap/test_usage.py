@@ -1,6 +1,7 @@
 """The command line: what is refused, and that nothing happens then."""
 
 import os
+import re
 import unittest
 
 from support import Case, PROGRAM, main, sphere, to_off
@@ -15,15 +16,52 @@ class Usage(Case):
         return self.assert_refused(2, *arguments)
 
     def test_help_and_version(self):
-        for option in ("--help", "-h", "--version"):
+        for option in ("--help", "-h", "--help-all", "--version"):
             run = self.unwrap(option)
             self.assertEqual((run.returncode, run.stderr), (0, b""))
             self.assertIn(b"unwrap", run.stdout)
 
-    def test_help_names_exit_status(self):
-        text = self.unwrap("--help").stdout.decode()
-        for word in ("Exit status", "Examples", "--json", "--seed", "--threads", "--quiet"):
+    def test_version(self):
+        text = self.unwrap("--version").stdout.decode()
+        self.assertRegex(text, r"^unwrap \d+\.\d+(\.\d+)* \(CGAL \d.*\)\n$")
+
+    def test_help_fits_two_screens(self):
+        lines = self.unwrap("--help").stdout.decode().splitlines()
+        self.assertLessEqual(len(lines), 80)
+        self.assertLessEqual(max(map(len, lines)), 100)
+        text = "\n".join(lines)
+        for word in ("Exit status", "Examples", "--output", "--json", "--html", "--max-distortion", "--effort", "--must-cut",
+                     "--never-cut", "--margin", "--rotate", "--help-all"):
             self.assertIn(word, text)
+        for word in ("--alpha", "--beta", "--eps-iso", "--eps-len", "--faithful", "--connect"):
+            self.assertNotIn(word, text)
+
+    def test_help_tells_all(self):
+        text = self.unwrap("--help-all").stdout.decode()
+        for word in ("Exit status", "Examples", "--json", "--seed", "--threads", "--quiet", "--alpha", "--beta", "--eps-iso",
+                     "--eps-len", "--faithful", "--connect", "--up", "visibility"):
+            self.assertIn(word, text)
+        short = self.unwrap("--help").stdout.decode()
+        for option in set(re.findall(r"--[a-z-]+", short)):
+            self.assertIn(option, text)
+        self.assertLess(text.index("--must-cut"), text.index("--alpha"))
+
+    def test_near_misses(self):
+        for wrong, meant in (("--maxdistortion", "--max-distortion"), ("--max_distortion", "--max-distortion"),
+                             ("--nevercut", "--never-cut"), ("--marign=4", "--margin"), ("--Quiet", "--quiet")):
+            message = self.assert_usage("sphere.off", wrong)["message"]
+            self.assertIn(f"no option {wrong.split('=')[0]}; did you mean {meant}?", message)
+        self.assertNotIn("did you mean", self.assert_usage("sphere.off", "--xyzzy")["message"])
+        for option, wrong, meant, words in (("--effort", "fsat", "fast", "fast, default, best"),
+                                            ("--rotate", "quarters", "quarter", "any, quarter, none"),
+                                            ("--uv-scale", "units", "unit", "unit, surface")):
+            message = self.assert_usage("sphere.off", option, wrong)["message"]
+            self.assertIn(f"{option}: '{wrong}' is none of {words}; did you mean {meant}?", message)
+        for wrong in ("hidden", "visibilty"):
+            message = self.assert_refused(3, "sphere.off", "--edge-weights", wrong)["message"]
+            for word in ("crease", "concave", "straight", "visibility", "occlusion", "sky", "colors", "paint:FILE"):
+                self.assertIn(word, message)
+        self.assertIn("did you mean visibility?", message)
 
     def test_arguments(self):
         self.assert_usage()

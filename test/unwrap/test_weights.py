@@ -171,6 +171,17 @@ class Weights(Case):
         self.assertEqual(self.cut("sphere.off", "paint:" + self.write("none.txt", "# none\n"))[1],
                          self.cut("sphere.off")[1])
 
+    def test_trade_offs(self):
+        """No cut is listed that another one is better than, but for the result, which has the least cost."""
+        for name in ("crease", "straight", "visibility"):
+            exit_code, report = self.report("sphere.off", "--edge-weights", name)
+            self.assertEqual(exit_code, 0)
+            cuts = report["tradeoff"]
+            own = min(cuts, key=lambda cut: abs(cut[0] - report["cut_length"]) + abs(cut[1] - report["E_iso"]))
+            for cut in cuts:
+                if cut != own:
+                    self.assertFalse([other for other in cuts if other != cut and other[0] <= cut[0] and other[1] <= cut[1]])
+
     def test_words(self):
         for word in ("sky:", "sky:q", "sky:Y", "sky:+y", "paint:"):
             self.assertIn(word, self.assert_refused(2, "sphere.off", "--edge-weights", word)["message"])

@@ -95,6 +95,8 @@ void decide_places(const Options& options, Output_places& places)
       throw Failure(Exit_code::USAGE, wrong);
     check_output_place(output.place);
     *output.decision = output.place;
+    if(output.name != "-")
+      places.names.push_back(output.name);
   }
   check_image_can_be_named(options);
   if(places.material && places.mesh->kind != Output_place::Kind::REGULAR_FILE)

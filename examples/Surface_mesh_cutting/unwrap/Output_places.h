@@ -9,11 +9,13 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 // What is not asked for, or must not be written, has no place.
 struct Output_places
 {
   std::optional<Output_place> mesh, material, texture, picture, page, cut, report;
+  std::vector<std::string> names; // of all files, as the user calls them
 };
 
 // No output may replace an input or another output, and each has to be writable. Otherwise throws a

@@ -1,6 +1,7 @@
 // unwrap: a mesh file in, the mesh with texture coordinates out.
 
 #include "Output_places.h"
+#include "near_misses.h"
 #include "options.h"
 #include "outputs.h"
 #include "reuse_memory.h"
@@ -9,9 +10,11 @@
 #include "unwrap_file.h"
 
 #include <csignal>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -45,22 +48,21 @@ Outcome refuse(const Command_line& command_line, Output_places& places)
   return outcome;
 }
 
-void print_messages(const Options& options, const Outcome& outcome)
+void print_messages(const Options& options, const std::vector<std::string>& names, const Outcome& outcome)
 {
   for(const std::string& warning : outcome.warnings)
     tell("unwrap: warning: " + warning);
   const std::string input = name_of_input(options.input) + ": ";
   if(outcome.exit_code != Exit_code::DONE)
-  {
     tell("unwrap: " + (outcome.exit_code != Exit_code::USAGE ? input : "") + outcome.message);
+  if(options.is_quiet || !outcome.has_result)
     return;
-  }
-  if(options.is_quiet)
-    return;
-  std::ostringstream seconds;
-  seconds << outcome.seconds.total.value_or(0);
-  tell(input + outcome.message + ", " + seconds.str() + " s");
-  tell("written to " + options.output);
+  const double seconds = outcome.seconds.total.value_or(0);
+  std::ostringstream rounded;
+  rounded << std::fixed << std::setprecision(seconds < 10 ? 2 : 1) << seconds;
+  if(outcome.exit_code == Exit_code::DONE)
+    tell(input + outcome.message + ", " + rounded.str() + " s");
+  tell("written: " + joined(names));
 }
 
 } // namespace
@@ -81,6 +83,6 @@ int main(int argc, char** argv)
   const Outcome outcome = command_line.is_done ? refuse(command_line, places) : unwrap_file(options, places);
   if(!outcome.has_result)
     report_failure(places, outcome);
-  print_messages(options, outcome);
+  print_messages(options, places.names, outcome);
   return int(outcome.exit_code);
 }

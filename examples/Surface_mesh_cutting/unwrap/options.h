@@ -17,7 +17,9 @@ struct Options
   // Files to write; an empty name stands for none, for `json` "-" is the standard output.
   std::string output, json, svg, texture, obj_cut, html;
   std::string svg_style = "distortion"; // distortion, partners
+  std::string up;                       // x, y, z; empty: z for formats of printing, else y
   std::string uv_scale = "unit";        // unit, surface
+  std::string rotate;                   // any, quarter, none; empty: quarter where that is cheap, else any
   double margin = 2;                    // texels
   int texture_size = 1024;
   bool is_quiet = false;

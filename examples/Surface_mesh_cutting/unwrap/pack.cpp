@@ -66,8 +66,7 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
   if(!result && outcome.exit_code == Exit_code::DONE)
   {
     outcome.exit_code = Exit_code::STOPPED;
-    outcome.message = result.status.message + " before the charts were packed best; the best result so far is written: "
-                    + outcome.message;
+    outcome.message = result.status.message + " before the charts were packed best";
   }
   outcome.charts = result.number_of_charts;
   outcome.uv_scale = result.scale;

@@ -5,6 +5,7 @@
 #include "make_layout.h"
 #include "pack.h"
 #include "stop_request.h"
+#include "summary.h"
 
 #include <CGAL/Default.h>
 #include <CGAL/Eigen_solver_traits.h>
@@ -22,9 +23,10 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
-#include <sstream>
+#include <optional>
 
 namespace {
 
@@ -92,14 +94,26 @@ Phase_seconds phase_seconds(const SMC::Phase_times& times)
           std::nullopt, times.total};
 }
 
-std::string summary(const Outcome& outcome)
+// Whether a cut is shorter and its map less distorted than those of another one, or one of both, the other being equal.
+bool is_better(const std::array<double, 2>& cut, const std::array<double, 2>& other)
 {
-  std::ostringstream text;
-  text.precision(4);
-  text << *outcome.faces << (*outcome.polygons == 0 ? " triangles, cut of " : " polygons, cut of ") << *outcome.cut_length
-       << " bounding box diagonals through " << *outcome.features << " points, mean energy "
-       << *outcome.average_energy << " (4: no distortion)";
-  return text.str();
+  return cut != other && cut[0] <= other[0] && cut[1] <= other[1];
+}
+
+// Without cuts that another one is better than; the result stays, as it is by its cost that it may be best.
+std::vector<std::array<double, 2> > best_trade_offs(const Result& result)
+{
+  std::vector<std::array<double, 2> > all, best;
+  for(const SMC::Trade_off& t : result.trade_offs)
+    all.push_back({{t.cut_length / result.bounding_box_diagonal, t.average_distortion}});
+  for(std::size_t i = 0; i < all.size(); ++i)
+  {
+    const SMC::Trade_off& t = result.trade_offs[i];
+    const bool is_result = t.cut_length == result.cut_length && t.average_distortion == result.average_distortion;
+    if(is_result || std::none_of(all.begin(), all.end(), [&](const auto& other) { return is_better(other, all[i]); }))
+      best.push_back(all[i]);
+  }
+  return best;
 }
 
 void tell(const Result& result, const Surface& surface, bool is_like_soup, Outcome& outcome)
@@ -132,12 +146,18 @@ void tell(const Result& result, const Surface& surface, bool is_like_soup, Outco
   outcome.maximum_energy = result.largest_face_distortion;
   outcome.flips = result.flips;
   outcome.overlaps = result.overlaps;
-  for(const SMC::Trade_off& t : result.trade_offs)
-    outcome.trade_offs.push_back({t.cut_length / result.bounding_box_diagonal, t.average_distortion});
+  outcome.trade_offs = best_trade_offs(result);
+}
+
+// Once the charts are packed.
+void tell_summary(const Options& options, Outcome& outcome)
+{
   if(outcome.message.empty())
     outcome.message = summary(outcome);
   else if(outcome.exit_code == Exit_code::STOPPED)
     outcome.message += "; the best result so far is written: " + summary(outcome);
+  if(const std::optional<std::string> warning = warning_of_many_charts(outcome, options.weld))
+    outcome.warnings.push_back(*warning);
 }
 
 SMC::Connection connection_of(const std::string& name)
@@ -228,6 +248,7 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   Layout layout;
   execute_both(on_triangles, [&] { pack(mesh, is_cut, uvs, options, outcome); },
                [&] { layout = make_layout(surface, is_cut, soup); });
+  tell_summary(options, outcome);
   layout.uv_scale = outcome.uv_scale.value_or(1);
   execute_both(execution, [&] { place_uv_vertices(surface, uvs, layout); }, [&]
   {

@@ -103,7 +103,10 @@ void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& so
       break;
     case Kind::COLORS: SMC::painted_weights(mesh, weights, paint_by_color(soup, surface), given); break;
     case Kind::PAINT: SMC::painted_weights(mesh, weights, read_paint(choice.file, Named_elements(soup, surface), mesh), given); break;
-    case Kind::EDGES: multiply_by_file(choice.file, Named_elements(soup, surface), is_first, weights); break;
+    case Kind::EDGES:
+      check_is_word_or_file(choice);
+      multiply_by_file(choice.file, Named_elements(soup, surface), is_first, weights);
+      break;
   }
 }
 

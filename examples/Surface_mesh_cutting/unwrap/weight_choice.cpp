@@ -1,7 +1,13 @@
 #include "weight_choice.h"
 
+#include "near_misses.h"
+#include "outcome.h"
+
+#include <filesystem>
 #include <map>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace {
 
@@ -18,14 +24,27 @@ std::optional<Weight_choice> parse_sky(const std::string& axis)
   return Weight_choice{Kind::SKY, "", found->second};
 }
 
+const std::map<std::string, Kind> names
+  = {{"crease", Kind::CREASE},         {"concave", Kind::CONCAVE},     {"straight", Kind::STRAIGHT},
+     {"visibility", Kind::VISIBILITY}, {"occlusion", Kind::OCCLUSION}, {"sky", Kind::SKY},
+     {"colors", Kind::COLORS}};
+
 } // namespace
+
+void check_is_word_or_file(const Weight_choice& choice)
+{
+  std::error_code error;
+  if(choice.kind != Kind::EDGES || std::filesystem::exists(choice.file, error) || error)
+    return;
+  std::vector<std::string> words;
+  for(const auto& [name, kind] : names)
+    words.push_back(name);
+  throw Failure(Exit_code::UNREADABLE, choice.file + ": there is no such file, and --edge-weights knows the words "
+                                         + joined(words) + " and paint:FILE" + suggestion(choice.file, words));
+}
 
 std::optional<Weight_choice> parse_weight_choice(const std::string& word)
 {
-  static const std::map<std::string, Kind> names
-    = {{"crease", Kind::CREASE},         {"concave", Kind::CONCAVE},     {"straight", Kind::STRAIGHT},
-       {"visibility", Kind::VISIBILITY}, {"occlusion", Kind::OCCLUSION}, {"sky", Kind::SKY},
-       {"colors", Kind::COLORS}};
   constexpr std::string_view sky = "sky:", paint = "paint:";
   Weight_choice choice;
   if(const auto found = names.find(word); found != names.end())

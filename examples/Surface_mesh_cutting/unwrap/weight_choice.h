@@ -20,4 +20,7 @@ struct Weight_choice
 // edges. No value stands for an axis or a file that is missing or unknown.
 std::optional<Weight_choice> parse_weight_choice(const std::string& word);
 
+// Throws a `Failure` with `Exit_code::UNREADABLE`, which lists the words, if what is taken for a file is none.
+void check_is_word_or_file(const Weight_choice& choice);
+
 #endif // UNWRAP_WEIGHT_CHOICE_H
