@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -42,7 +42,7 @@ constexpr int usual_stage = 250;
 // The first stage, of those that are tried, from which the whole chart can be mapped.
 int coarsest_stage(const Corner_table& chart, const std::vector<Point>& points)
 {
-  const Simplicial_solver_source linear_solvers;
+  const Solvers linear_solvers = default_solvers();
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& uv)
   {
     Newton_solver solver(stage.chart.triangles(), stage.chart.number_of_vertices(), linear_solvers);
@@ -66,7 +66,7 @@ void measure(const std::string& name, const Indexed_mesh& mesh, const Cut& cut, 
   const Corner_table chart = make_chart(mesh, cut);
   const std::vector<Point> points = chart_points(mesh, chart);
   const std::vector<Rest_shape> shapes = rest_shapes(mesh.triangles(), mesh.points());
-  const Simplicial_solver_source linear_solvers;
+  const Solvers linear_solvers = default_solvers();
   std::vector<Eigen::Vector2d> uv;
   int flips = -1;
   const bool has_spectral_map = spectral_conformal_map(chart, shapes, linear_solvers, uv, &flips);

@@ -3,9 +3,9 @@
 //
 //   pipeline [FOLDER|FILE...] [--effort fast|default|best] [--faithful] [--connect mst|sph|greedy|exact|best]
 //            [--conformal kp-newton|spectral] [--coarse FACES] [--max-distortion B] [--bijective]
-//            [--solver eigen|simplicial|cholmod] [--threads N] [--seeds N] [--repetitions R] [--cold-map] [--baseline FILE.csv]
+//            [--solver supernodal|eigen|cholmod] [--threads N] [--seeds N] [--repetitions R] [--cold-map] [--baseline FILE.csv]
 //
-// The default is CGAL's data set. The solver `eigen` is the package's own factorization, `simplicial` Eigen's
+// The default is CGAL's data set. The solver `supernodal` is the package's own factorization, `eigen` Eigen's
 // SimplicialLDLT. Times are medians over the repetitions, those of the phases and `cut_s`, all
 // without the final UVs, are processor seconds. `--coarse 0` stays at full resolution. With `--cold-map`, `cold_s`
 // is what a symmetric Dirichlet parameterization of the surface opened along the final cut takes from nothing
@@ -27,7 +27,7 @@
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -93,12 +93,12 @@ std::optional<Cold_map_seconds> seconds_of_cold_map(const Mesh& mesh, Cut_map is
   const auto border = CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first;
   if(chart.read(seam_mesh, border) != SMP::OK)
     return std::nullopt;
-  const auto linear_solvers = SMP::internal::make_linear_solver_source(solver);
+  const auto linear_solvers = SMP::internal::make_solvers(solver);
   const auto seconds_of = [&](const auto& map)
   {
     const std::clock_t start = std::clock();
     const auto shapes = SMP::internal::rest_shapes(chart.chart().triangles(), chart.points());
-    SMP::internal::Chart_parameterizer parameterizer(chart.chart(), chart.points(), shapes, *linear_solvers);
+    SMP::internal::Chart_parameterizer parameterizer(chart.chart(), chart.points(), shapes, linear_solvers);
     std::vector<Eigen::Vector2d> uv;
     map(parameterizer, shapes, uv);
     return double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -109,7 +109,7 @@ std::optional<Cold_map_seconds> seconds_of_cold_map(const Mesh& mesh, Cut_map is
     seconds_of([&](auto& parameterizer, const auto& shapes, auto& uv)
                {
                  if(SMP::internal::tutte_map(chart.chart(), chart.points(), SMP::internal::surface_area(shapes),
-                                             *linear_solvers, uv))
+                                             linear_solvers, uv))
                    parameterizer.improve_isometrically(uv, options);
                })};
 }
@@ -148,9 +148,9 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
   if(options.solver == "cholmod")
     return measure(mesh, options, seed, CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix> >());
 #endif
-  if(options.solver == "simplicial")
+  if(options.solver == "eigen")
     return measure(mesh, options, seed, CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> >());
-  if(options.solver != "eigen")
+  if(options.solver != "supernodal")
     throw std::runtime_error("there is no solver " + options.solver);
   return measure(mesh, options, seed, CGAL::Default());
 }

@@ -31,7 +31,7 @@ struct Pipeline_options
   std::optional<Conformal_solver> conformal_solver;
   std::optional<int> coarse_number_of_faces;
   double maximum_average_distortion = std::numeric_limits<double>::infinity();
-  std::string solver = "eigen", baseline;
+  std::string solver = "supernodal", baseline;
   int threads = 1, seeds = 1, repetitions = 3;
 
   // The library's defaults for what was not said.

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/initial_features.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -57,7 +57,7 @@ Cutting_parameters faithful_parameters()
   Cutting_parameters parameters;
   parameters.use_published_method = true;
   parameters.conformal_solver = CGAL::Surface_mesh_cutting::Conformal_solver::KP_NEWTON;
-  parameters.linear_solvers = std::make_shared<Simplicial_solver_source>();
+  parameters.linear_solvers = std::make_shared<Solvers>(default_solvers());
   return parameters;
 }
 

@@ -7,8 +7,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
+
+#include <CGAL/Eigen_solver_traits.h>
 
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -18,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -65,14 +66,14 @@ double milliseconds(const Function& function)
 }
 
 template <typename Energy>
-void measure(const char* energy, const char* name, const Linear_solver_source& linear_solvers, const Layout& layout)
+void measure(const char* energy, const char* name, const Solvers& linear_solvers, const Layout& layout)
 {
   const std::vector<Rest_shape> shapes = rest_shapes(layout.triangles, layout.points);
   const std::vector<double> weights = area_weights(shapes);
   std::vector<char> is_fixed(layout.uv.size(), 0);
   is_fixed[0] = 1;
   Newton_system system(layout.triangles, int(layout.uv.size()), is_fixed);
-  const std::unique_ptr<Linear_solver> solver = linear_solvers.make_solver();
+  const std::unique_ptr<Linear_solver> solver = linear_solvers.make();
   solver->analyze(system.hessian());
   const double assembly = milliseconds([&]
     { system.assemble<Energy>(layout.triangles, shapes, weights, layout.uv, 1e-12); });
@@ -86,12 +87,12 @@ void measure(const char* energy, const char* name, const Linear_solver_source& l
 template <typename Energy>
 void measure_all(const char* energy, const Layout& layout)
 {
-  measure<Energy>(energy, "own", *make_linear_solver_source(CGAL::Default()), layout);
-  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper> simplicial;
-  measure<Energy>(energy, "SimplicialLDLT", *make_linear_solver_source(std::ref(simplicial)), layout);
+  measure<Energy>(energy, "supernodal", default_solvers(), layout);
+  using Simplicial = Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper>;
+  measure<Energy>(energy, "SimplicialLDLT", make_solvers(CGAL::Eigen_solver_traits<Simplicial>()), layout);
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-  Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Upper> cholmod;
-  measure<Energy>(energy, "CHOLMOD", *make_linear_solver_source(std::ref(cholmod)), layout);
+  using Cholmod = Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Upper>;
+  measure<Energy>(energy, "CHOLMOD", make_solvers(CGAL::Eigen_solver_traits<Cholmod>()), layout);
 #endif
 }
 

@@ -4,8 +4,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
+#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
@@ -21,10 +22,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -74,7 +73,7 @@ bool open(Mesh& mesh, Mesh_chart<Seam_mesh>& chart)
 
 template <typename Solve>
 void measure(const std::string& prefix, const char* parameterizer, const char* solver,
-             const Linear_solver_source& linear_solvers, const Mesh_chart<Seam_mesh>& chart, const Solve& solve)
+             const Solvers& linear_solvers, const Mesh_chart<Seam_mesh>& chart, const Solve& solve)
 {
   const std::clock_t start = std::clock();
   const std::vector<Rest_shape> shapes = rest_shapes(chart.chart().triangles(), chart.points());
@@ -90,10 +89,10 @@ template <typename Solver>
 void measure_both(const std::string& prefix, const char* name, const Solver& solver,
                   const Mesh_chart<Seam_mesh>& chart)
 {
-  const std::shared_ptr<const Linear_solver_source> linear_solvers = make_linear_solver_source(solver);
-  measure(prefix, "MIPS", name, *linear_solvers, chart, [](auto& method, auto& uv)
+  const Solvers linear_solvers = make_solvers(solver);
+  measure(prefix, "MIPS", name, linear_solvers, chart, [](auto& method, auto& uv)
           { return method.conformal_map(uv, Newton_options()); });
-  measure(prefix, "symmetric Dirichlet", name, *linear_solvers, chart, [](auto& method, auto& uv)
+  measure(prefix, "symmetric Dirichlet", name, linear_solvers, chart, [](auto& method, auto& uv)
           { return method.isometric_map(uv, Newton_options()); });
 }
 
@@ -114,10 +113,10 @@ int main(int argc, char* argv[])
        !CGAL::IO::read_polygon_mesh(file.string(), mesh) || !open(mesh, chart))
       continue;
     const std::string prefix = file.stem().string() + ',' + std::to_string(num_faces(mesh));
-    measure_both(prefix, "SimplicialLDLT", CGAL::Default(), chart);
+    measure_both(prefix, "supernodal", CGAL::Default(), chart);
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-    Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Upper> cholmod;
-    measure_both(prefix, "CHOLMOD", std::ref(cholmod), chart);
+    using Cholmod = Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Upper>;
+    measure_both(prefix, "CHOLMOD", CGAL::Eigen_solver_traits<Cholmod>(), chart);
 #endif
   }
   return EXIT_SUCCESS;

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/detect_feature_points.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -83,7 +83,7 @@ Detection candidates(const Surface& surface)
   Internal::Cutting_parameters parameters;
   parameters.use_published_method = true;
   parameters.conformal_solver = SMC::Conformal_solver::KP_NEWTON;
-  parameters.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
+  parameters.linear_solvers = std::make_shared<SMP::Solvers>(SMP::default_solvers());
   Internal::Run_control control;
   Detection detection;
   for(const Internal::Candidate& c
@@ -136,7 +136,7 @@ void evaluate(const Surface& surface, const std::vector<int>& features, const st
     mesh, Internal::unconstrained(mesh), features, options, [] { return true; });
   const double connect_seconds = cpu_seconds() - start;
   Internal::Run_control control;
-  const SMP::Simplicial_solver_source linear_solvers;
+  const SMP::Solvers linear_solvers = SMP::default_solvers();
   Internal::Incremental_parameterization map(mesh, surface.shapes, Internal::Mapping_policy(linear_solvers), control);
   const bool is_mapped = connected.has_cut() && map.initialize(connected.cut);
   std::cout << (is_mapped ? "done" : "no map") << ',' << connected.number_of_auxiliary_points << ','

@@ -20,7 +20,7 @@ def write_obj(path, points, faces):
 def run_program(program, folder, points, faces, *options):
     """The UVs, their indices and the report of the program."""
     write_obj(folder / "mesh.obj", points, faces)
-    subprocess.run([program, "mesh.obj", "-o", "out.obj", "--json", "out.json", "--quiet", "--solver", "eigen", *options],
+    subprocess.run([program, "mesh.obj", "-o", "out.obj", "--json", "out.json", "--quiet", *options],
                    cwd=folder, check=True, timeout=120)
     lines = [line.split() for line in (folder / "out.obj").read_text().splitlines()]
     uv = np.array([line[1:] for line in lines if line[0] == "vt"], float)

@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/Random.h>
 
@@ -21,6 +21,7 @@
 namespace {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
+using CGAL::Surface_mesh_parameterization::internal::default_solvers;
 
 using test::check;
 
@@ -38,8 +39,7 @@ struct Closed_surface
 
   explicit Closed_surface(CGAL::Random& random) : mesh(test::random_star_shape(8, random))
   {
-    parameters.linear_solvers
-      = std::make_shared<CGAL::Surface_mesh_parameterization::internal::Simplicial_solver_source>();
+    parameters.linear_solvers = std::make_shared<Solvers>(default_solvers());
   }
 
   Incremental_parameterization map(const Cut& cut) const

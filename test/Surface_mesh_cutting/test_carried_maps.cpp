@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/Random.h>
 
@@ -29,7 +29,7 @@ struct Problem
   const SMC::Indexed_mesh mesh;
   const std::vector<SMP::Rest_shape> shapes = SMP::rest_shapes(mesh.triangles(), mesh.points());
   const std::vector<int> path = SMC::path_to_farthest_vertex(mesh, 0, 2);
-  const SMP::Simplicial_solver_source linear_solvers;
+  const SMP::Solvers linear_solvers = SMP::default_solvers();
   SMC::Run_control control;
 
   Problem(int size, CGAL::Random& random) : mesh(test::random_star_shape(size, random)) {}

@@ -6,7 +6,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/Greedy_filter.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/Random.h>
 
@@ -105,7 +105,7 @@ double converged_energy(const SMC::Indexed_mesh& mesh, const std::vector<SMP::Re
   SMP::Newton_options options;
   options.decrement = 1e-10;
   options.maximum_iterations = 500;
-  const SMP::Simplicial_solver_source linear_solvers;
+  const SMP::Solvers linear_solvers = SMP::default_solvers();
   SMP::Newton_solver solver(chart.triangles(), chart.number_of_vertices(), linear_solvers);
   return solver.minimize<SMP::Symmetric_Dirichlet_energy>(shapes, SMP::area_weights(shapes), uv, options).energy;
 }
@@ -157,10 +157,10 @@ void test_replay(const SMC::Mapping_policy& policy, double tolerance, CGAL::Rand
 // Without estimates, nothing but the precision of the solves can make a difference.
 void test_replays(CGAL::Random& random)
 {
-  const SMP::Simplicial_solver_source linear_solvers;
+  const SMP::Solvers linear_solvers = SMP::default_solvers();
   SMC::Cutting_parameters faithful;
   faithful.use_published_method = true;
-  faithful.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
+  faithful.linear_solvers = std::make_shared<SMP::Solvers>(SMP::default_solvers());
   int decisions = 0;
   for(int i = 0; i < 12; ++i)
   {
@@ -186,7 +186,7 @@ void filter(const Filtering& f, Judge judge)
   const SMC::Problem problem{f.mesh, f.shapes, SMC::unconstrained(f.mesh), f.terminals, SMC::Initial_cut(),
                              f.cut.empty()};
   SMC::Cutting_parameters parameters;
-  parameters.linear_solvers = std::make_shared<SMP::Simplicial_solver_source>();
+  parameters.linear_solvers = std::make_shared<SMP::Solvers>(SMP::default_solvers());
   SMC::Run_control control;
   SMC::Phase_clock clock;
   SMC::Greedy_filter<ConcurrencyTag> filter(problem, SMC::Context{parameters, control, clock});

@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/Random.h>
 
@@ -26,6 +26,7 @@ namespace {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
 
+using CGAL::Surface_mesh_parameterization::internal::default_solvers;
 using CGAL::Surface_mesh_parameterization::internal::is_bijective;
 using CGAL::Surface_mesh_parameterization::internal::rest_shapes;
 using Eigen::Vector2d;
@@ -234,7 +235,7 @@ bool check_injective_regluing(const Indexed_mesh& mesh, bool has_weights, bool i
   Cutting_parameters parameters;
   parameters.do_bijective = true;
   parameters.maximum_average_distortion = 4.2;
-  parameters.linear_solvers = std::make_shared<CGAL::Surface_mesh_parameterization::internal::Simplicial_solver_source>();
+  parameters.linear_solvers = std::make_shared<Solvers>(default_solvers());
   Run_control control([&] { return !is_stopped; }, {});
   Phase_clock clock;
   const Context context{parameters, control, clock};

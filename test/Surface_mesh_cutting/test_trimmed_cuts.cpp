@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/Random.h>
 
@@ -21,6 +21,7 @@
 namespace {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
+using CGAL::Surface_mesh_parameterization::internal::default_solvers;
 
 using test::check;
 
@@ -38,8 +39,7 @@ struct Cut_surface
   explicit Cut_surface(CGAL::Random& random) : mesh(test::random_star_shape(12, random))
   {
     parameters.do_bijective = true;
-    parameters.linear_solvers
-      = std::make_shared<CGAL::Surface_mesh_parameterization::internal::Simplicial_solver_source>();
+    parameters.linear_solvers = std::make_shared<Solvers>(default_solvers());
   }
 
   Context context() { return {parameters, control, clock}; }

@@ -23,7 +23,16 @@ class Recording_solver
 
 public:
   explicit Recording_solver(Solver_record& record) : m_record(&record) {}
-  Recording_solver(const Recording_solver& other) : is_broken(other.is_broken), m_record(other.m_record) {}
+  Recording_solver(const Recording_solver& other) : is_broken(other.is_broken), m_record(other.m_record)
+  {
+    set_shift(other.m_shift);
+  }
+
+  void set_shift(double shift)
+  {
+    m_shift = shift;
+    m_solver.setShift(shift);
+  }
 
   void analyzePattern(const Matrix& matrix)
   {
@@ -49,6 +58,7 @@ public:
 private:
   Solver_record* m_record;
   bool m_is_symmetric = true;
+  double m_shift = 0;
   Eigen::SimplicialLLT<Matrix> m_solver;
 };
 

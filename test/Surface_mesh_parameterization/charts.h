@@ -2,7 +2,7 @@
 #define TEST_CHARTS_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/Random.h>
 
@@ -18,7 +18,7 @@
 namespace smp = CGAL::Surface_mesh_parameterization::internal;
 
 // The built-in ones.
-inline const smp::Simplicial_solver_source linear_solvers;
+inline const smp::Solvers linear_solvers = smp::default_solvers();
 
 // A chart over points, for tests.
 struct Test_surface

@@ -1,5 +1,5 @@
 // Any solver that a program gives: the same maps as with the built-in one, for all systems, with its settings,
-// with its analysis kept, and shared between systems in any order.
+// and with its analysis kept.
 
 #undef NDEBUG
 #include "Recording_solver.h"
@@ -24,12 +24,14 @@
 #include <Eigen/CholmodSupport>
 #endif
 
+#include <atomic>
 #include <cassert>
-#include <functional>
+#include <complex>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <set>
-#include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -64,14 +66,14 @@ struct Problem
   const std::vector<Rest_shape> shapes = rest_shapes(surface.chart.triangles(), surface.points);
   const std::vector<double> weights = area_weights(shapes);
 
-  Map tutte(const Linear_solver_source& solvers) const
+  Map tutte(const Solvers& solvers) const
   {
     Map uv;
     const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), solvers, uv);
     assert(is_mapped);
     return uv;
   }
-  Newton_solver newton(const Linear_solver_source& solvers) const
+  Newton_solver newton(const Solvers& solvers) const
   {
     return Newton_solver(surface.chart.triangles(), surface.chart.number_of_vertices(), solvers);
   }
@@ -79,7 +81,7 @@ struct Problem
   {
     return solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
   }
-  Map isometric(const Linear_solver_source& solvers) const
+  Map isometric(const Solvers& solvers) const
   {
     Map uv = tutte(solvers);
     Newton_options options;
@@ -88,7 +90,7 @@ struct Problem
     assert(minimize(solver, uv, options).is_converged());
     return uv;
   }
-  Map spectral(const Linear_solver_source& solvers) const
+  Map spectral(const Solvers& solvers) const
   {
     Map uv;
     const bool is_mapped = spectral_conformal_map(surface.chart, shapes, solvers, uv);
@@ -106,10 +108,10 @@ void check_close(const Map& a, const Map& b)
 template <typename Solver>
 void test_solver(const Problem& problem, const Solver& solver)
 {
-  const auto solvers = make_linear_solver_source(solver);
-  check_close(problem.tutte(*solvers), problem.tutte(linear_solvers));
-  check_close(problem.isometric(*solvers), problem.isometric(linear_solvers));
-  check_close(problem.spectral(*solvers), problem.spectral(linear_solvers));
+  const Solvers solvers = make_solvers(solver);
+  check_close(problem.tutte(solvers), problem.tutte(linear_solvers));
+  check_close(problem.isometric(solvers), problem.isometric(linear_solvers));
+  check_close(problem.spectral(solvers), problem.spectral(linear_solvers));
 
   // A matrix that is not positive definite is reported, by a failure or by what the solution is.
   Sparse_matrix matrix(2, 2);
@@ -117,105 +119,117 @@ void test_solver(const Problem& problem, const Solver& solver)
   matrix.insert(0, 1) = 2;
   matrix.insert(1, 1) = 1;
   matrix.makeCompressed();
-  const std::unique_ptr<Linear_solver> single = solvers->make_solver();
+  const std::unique_ptr<Linear_solver> single = solvers.make();
   single->analyze(matrix);
   const Eigen::Vector2d right(1, -1);
   assert(!single->factorize(matrix) || !(right.dot(single->solve(right)) > 0));
 }
 
-// By reference, and as traits whose copies share the solver.
 template <typename Solver>
 void test_eigen_solver(const Problem& problem)
 {
-  Solver solver;
-  test_solver(problem, std::ref(solver));
   test_solver(problem, CGAL::Eigen_solver_traits<Solver>());
 }
 
-// The solver object itself is at work: what was set before shows in the solution.
+// Solvers of Eigen with settings: each object has them.
+struct Shifted_LDLT : LDLT
+{
+  Shifted_LDLT() { setShift(3); }
+};
+struct Negating_LDLT : LDLT // makes every matrix negative definite
+{
+  Negating_LDLT() { setShift(0, -1); }
+};
+
+// What a solver was set up to shows in the solution.
 void test_settings()
 {
   Sparse_matrix identity(3, 3);
   identity.setIdentity();
   const auto check_shift = [&](const auto& given)
   {
-    const std::unique_ptr<Linear_solver> solver = make_linear_solver_source(given)->make_solver();
+    const std::unique_ptr<Linear_solver> solver = make_solvers(given).make();
     solver->analyze(identity);
     assert(solver->factorize(identity));
     assert(solver->solve(Eigen::VectorXd::Constant(3, 8)).isApproxToConstant(2));
   };
-  LDLT solver;
-  solver.setShift(3);
-  check_shift(std::ref(solver));
-  CGAL::Eigen_solver_traits<Lower_LLT> traits;
-  traits.solver().setShift(3);
-  check_shift(traits);
+  check_shift(CGAL::Eigen_solver_traits<Shifted_LDLT>());
+  Solver_record record;
+  Recording_solver copied(record);
+  copied.set_shift(3);
+  check_shift(copied);
 }
 
-// The solver is asked for each system and each factorization that there is; it analyzes each pattern once.
-template <typename Given>
-void test_record(const Problem& problem, Solver_record& record, const Given& given)
+// The solver is asked for each system and each factorization that there is; it analyzes each pattern once. All
+// unknowns are counted.
+void test_record(const Problem& problem)
 {
-  const auto solvers = make_linear_solver_source(given);
-  Map uv = problem.tutte(*solvers);
-  assert(record.analyses == 1 && record.factorizations == 1);
-  problem.spectral(*solvers);
+  Solver_record record;
+  std::atomic<long long> unknowns{0};
+  Solvers solvers = make_solvers(Recording_solver(record));
+  solvers.factorized_unknowns = &unknowns;
+  Map uv = problem.tutte(solvers);
+  assert(record.analyses == 1 && record.factorizations == 1 && unknowns == record.sizes.back());
+  problem.spectral(solvers);
   assert(record.analyses == 2 && record.factorizations == 2);
   assert(record.sizes.back() == 2 * problem.surface.chart.number_of_vertices());
 
-  Newton_solver solver = problem.newton(*solvers);
+  Newton_solver solver = problem.newton(solvers);
   Newton_options options;
   options.maximum_iterations = 2;
   int iterations = problem.minimize(solver, uv, options).iterations;
   iterations += problem.minimize(solver, uv, options).iterations;
   assert(iterations > 2 && record.analyses == 3 && record.factorizations == 2 + iterations);
 
+  assert(unknowns == record.sizes[0] + record.sizes[1] + (record.factorizations - 2) * record.sizes[2]);
+
   const Scaffold_options scaffold_options;
   const int former = record.factorizations;
   const Newton_result scaffold
-    = Scaffold_minimization(problem.surface.chart, problem.shapes, *solvers, scaffold_options)(uv);
+    = Scaffold_minimization(problem.surface.chart, problem.shapes, solvers, scaffold_options)(uv);
   assert(scaffold.iterations > 0 && record.factorizations == former + scaffold.iterations);
 }
 
-// Systems that share a solver: in turn, one within the other, and in threads of their own.
-void test_lending(const Problem& problem)
+// Random Hermitian systems against Eigen, small ones and such with supernodes, and whether definite ones are told apart.
+template <typename Solver>
+void test_unordered_systems(CGAL::Random& random, const Solvers& solvers)
 {
-  Lower_LLT llt;
-  const auto lent = make_linear_solver_source(std::ref(llt));
-  const auto alone = [&]
+  using Scalar = std::conditional_t<std::is_same_v<Solver, Symmetric_solver>, double, std::complex<double> >;
+  using Matrix = Eigen::SparseMatrix<Scalar>;
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  for(int i = 0; i < 100; ++i)
   {
-    Lower_LLT solver;
-    return problem.isometric(*make_linear_solver_source(std::ref(solver)));
-  }();
+    const int size = i % 20 == 0 ? random.get_int(1000, 1500) : random.get_int(1, 60), entries = random.get_int(0, 2 * size);
+    const Vector values = Vector::Random(entries), right = Vector::Random(size);
+    std::vector<Eigen::Triplet<Scalar> > lower_entries;
+    for(int k = 0; k < size; ++k)
+      lower_entries.emplace_back(k, k, Scalar(2. * entries + 1)); // dominates
+    for(int k = 0; k < entries; ++k)
+    {
+      const int row = random.get_int(0, size), column = random.get_int(0, size);
+      if(row > column)
+        lower_entries.emplace_back(row, column, values[k]);
+    }
+    Matrix lower(size, size);
+    lower.setFromTriplets(lower_entries.begin(), lower_entries.end());
+    const Eigen::SimplicialLDLT<Matrix> eigen(lower);
 
-  Newton_solver first = problem.newton(*lent), second = problem.newton(*lent);
-  Map uv = problem.tutte(*lent), other = uv;
-  Newton_options options;
-  options.decrement = 1e-12;
-  options.maximum_iterations = 1;
-  bool is_converged = false;
-  while(!is_converged)
-  {
-    is_converged = problem.minimize(first, uv, options).is_converged();
-    problem.minimize(second, other, options);
-    assert(uv == other);
+    Solver solver(solvers);
+    for(double factor : {1., 2.}) // one object serves several systems
+    {
+      assert(solver.factorize(Scalar(factor) * lower));
+      const Vector solution = solver.solve(right);
+      const Vector product = lower.template selfadjointView<Eigen::Lower>() * solution;
+      assert((factor * product - right).norm() < 1e-9);
+      assert((factor * solution - eigen.solve(right)).norm() < 1e-12);
+    }
+    for(double wrong : {-1., std::numeric_limits<double>::quiet_NaN()})
+    {
+      Matrix indefinite = lower;
+      indefinite.coeffRef(size / 2, size / 2) = wrong;
+      assert(!solver.factorize(indefinite));
+    }
   }
-
-  uv = problem.tutte(*lent);
-  options = Newton_options();
-  options.decrement = 1e-12;
-  options.stop = [&](const Newton_state&) { assert(problem.isometric(*lent) == alone); return false; };
-  problem.minimize(first, uv, options);
-  assert(uv == alone);
-
-  std::vector<Map> maps(4);
-  std::vector<std::thread> threads;
-  for(Map& map : maps)
-    threads.emplace_back([&] { map = problem.isometric(*lent); });
-  for(std::thread& thread : threads)
-    thread.join();
-  for(const Map& map : maps)
-    assert(map == alone);
 }
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -243,16 +257,8 @@ void test_parameterizer()
 
   solver.is_broken = true;
   assert(parameterize(Parameterizer<Mesh, Recording_solver>(solver)) != SMP::OK);
-  using Reference = std::reference_wrapper<Recording_solver>;
-  const Parameterizer<Mesh, Reference> by_reference{std::ref(solver)};
-  assert(parameterize(by_reference) != SMP::OK);
-  solver.is_broken = false;
-  const int former = record.factorizations;
-  assert(parameterize(by_reference) == SMP::OK && record.factorizations > former);
-
-  CGAL::Eigen_solver_traits<LDLT> traits;
-  traits.solver().setShift(0, -1); // makes every matrix negative definite
-  assert(parameterize(Parameterizer<Mesh, CGAL::Eigen_solver_traits<LDLT> >(traits)) != SMP::OK);
+  assert((parameterize(Parameterizer<Mesh, CGAL::Eigen_solver_traits<LDLT> >()) == SMP::OK));
+  assert((parameterize(Parameterizer<Mesh, CGAL::Eigen_solver_traits<Negating_LDLT> >()) != SMP::OK));
 }
 
 int main()
@@ -265,21 +271,18 @@ int main()
   test_eigen_solver<Upper_LLT>(problem);
   test_eigen_solver<LDLT>(problem);
   test_eigen_solver<LU>(problem);
-  Row_major_LLT row_major;
-  test_solver(problem, std::ref(row_major));
+  test_eigen_solver<Row_major_LLT>(problem);
   test_solver(problem, Own_traits());
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
   test_eigen_solver<Eigen::CholmodSupernodalLLT<Sparse_matrix> >(problem);
 #endif
-  Solver_record copies, lent;
-  test_solver(problem, Recording_solver(copies));
+  Solver_record record;
+  test_solver(problem, Recording_solver(record));
   test_settings();
-
-  copies.analyses = copies.factorizations = 0;
-  test_record(problem, copies, Recording_solver(copies));
-  Recording_solver solver(lent);
-  test_record(problem, lent, std::ref(solver));
-  test_lending(problem);
+  test_record(problem);
+  test_unordered_systems<Symmetric_solver>(random, default_solvers());
+  test_unordered_systems<Hermitian_solver>(random, default_solvers());
+  test_unordered_systems<Hermitian_solver>(random, make_solvers(CGAL::Eigen_solver_traits<LDLT>()));
 
   test_parameterizer<SMP::MIPS_parameterizer_3>();
   test_parameterizer<SMP::Symmetric_Dirichlet_parameterizer_3>();

@@ -31,6 +31,17 @@ class Determinism(Case):
                     for threads in (1, 2, 2):
                         self.assertEqual(self.outputs(mesh, options, threads), first)
 
+    # All solvers lead to the same cut and, but for rounding, to the same map.
+    def test_solvers(self):
+        self.write("sphere.off", to_off(sphere(4)))
+        expected = self.outputs("sphere.off", [], 1)[1]
+        self.assertEqual(expected["solver"], "supernodal")
+        for solver in ("supernodal", "eigen"):
+            report = self.outputs("sphere.off", ["--solver", solver], 1)[1]
+            self.assertEqual(report["solver"], solver)
+            self.assertEqual(report["cut_length"], expected["cut_length"])
+            self.assertAlmostEqual(report["E_iso"], expected["E_iso"], 5)
+
     # So large that threads share the work on one chart.
     def test_large_chart(self):
         self.write("large.off", to_off(sphere(6)))

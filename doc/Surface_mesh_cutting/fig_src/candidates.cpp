@@ -6,7 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <fstream>
 #include <iostream>
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+namespace engine = CGAL::Surface_mesh_parameterization::internal;
 namespace internal = CGAL::Surface_mesh_cutting::internal;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex_point_map = boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
@@ -43,10 +44,9 @@ int main(int argc, char** argv)
   const internal::Mesh_adapter<Mesh, Vertex_point_map> adapter(mesh, get(CGAL::vertex_point, mesh));
   const internal::Indexed_mesh& flat = adapter.mesh();
   const auto shapes
-    = CGAL::Surface_mesh_parameterization::internal::rest_shapes(flat.triangles(), flat.points());
+    = engine::rest_shapes(flat.triangles(), flat.points());
   internal::Cutting_parameters parameters;
-  parameters.linear_solvers
-    = std::make_shared<CGAL::Surface_mesh_parameterization::internal::Simplicial_solver_source>();
+  parameters.linear_solvers = std::make_shared<engine::Solvers>(engine::default_solvers());
   internal::Run_control control;
   const auto maximizers = [&](const std::vector<int>& path)
   {

@@ -271,7 +271,7 @@ void add_run_options(CLI::App& app, Options& options)
   add_number<int>(app, "--threads", options.threads,
                   "Number of threads; the result does not depend on it", 1, 1024)
     ->type_name("N")->default_str("all cores")->group(group);
-  app.add_option("--solver", options.solver, "Sparse linear solver")
+  app.add_option("--solver", options.solver, "Linear solver: the package's own, Eigen's SimplicialLDLT, CHOLMOD")
     ->check(CLI::IsMember(available_solvers()))->default_str(options.solver)->group(group);
   add_number<double>(app, "--time-limit", options.time_limit, "Stop after S seconds", 0, 1e9)
     ->type_name("S")->default_str("none")->group(group);

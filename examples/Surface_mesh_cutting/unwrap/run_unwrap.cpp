@@ -16,6 +16,7 @@
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
 #endif
+#include <Eigen/SparseCholesky>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/info.h>
@@ -179,13 +180,17 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
 Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Cut_map is_cut,
                    UV_map uvs)
 {
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Simplicial = Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int> >; // unknowns come ordered
   Progress_visitor visitor(options);
+  const auto run = [&](auto solver) { return run_library(mesh, options, constraints, visitor, is_cut, uvs, solver); };
+  if(options.solver == "eigen")
+    return run(CGAL::Eigen_solver_traits<Simplicial>());
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
   if(options.solver == "cholmod")
-    return run_library(mesh, options, constraints, visitor, is_cut, uvs,
-                       CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double> > >());
+    return run(CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix> >());
 #endif
-  return run_library(mesh, options, constraints, visitor, is_cut, uvs, CGAL::Default());
+  return run(CGAL::Default());
 }
 
 } // namespace
@@ -193,9 +198,9 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
 std::vector<std::string> available_solvers()
 {
 #ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-  return {"eigen", "cholmod"};
+  return {"supernodal", "eigen", "cholmod"};
 #else
-  return {"eigen"};
+  return {"supernodal", "eigen"};
 #endif
 }
 

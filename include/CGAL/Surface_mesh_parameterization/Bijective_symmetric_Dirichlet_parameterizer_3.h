@@ -30,7 +30,7 @@ namespace internal {
 struct Bijective_method
 {
   static Newton_result map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                           const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                           const std::vector<Rest_shape>& shapes, const Solvers& linear_solvers,
                            std::vector<Eigen::Vector2d>& uv)
   {
     return bijective_map(chart, points, shapes, linear_solvers, uv, Newton_options());
@@ -71,9 +71,7 @@ struct Bijective_method
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`, for example a `CGAL::Seam_mesh`.
 /// \tparam SolverTraits_ is the type of the solver of the sparse symmetric positive definite systems,
-///         see `Free_border_parameterizer_3`.<br>
-///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
-///         iterations. Eigen 3.3 (or greater) is required.
+///         see `Free_border_parameterizer_3`.
 ///
 /// \sa `Symmetric_Dirichlet_parameterizer_3`
 /// \sa `compute_symmetric_Dirichlet_energy()`

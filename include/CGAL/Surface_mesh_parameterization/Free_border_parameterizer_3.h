@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
@@ -27,7 +27,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -58,10 +57,9 @@ struct Flip_free_method
 /// \tparam SolverTraits_ is the type of the solver of the sparse symmetric positive definite systems:
 ///         a class with the member functions `analyzePattern()`, `factorize()`, `solve()`, and `info()`
 ///         of \eigen's direct sparse solvers, or a model of `SparseLinearAlgebraWithFactorTraits_d`, for example
-///         `CGAL::Eigen_solver_traits` of a direct solver. A solver that cannot be copied comes as
-///         `std::reference_wrapper`.<br>
-///         <b>%Default:</b> `Eigen::SimplicialLDLT` with an ordering that is computed once for all
-///         iterations. Eigen 3.3 (or greater) is required.
+///         `CGAL::Eigen_solver_traits` of a direct solver.<br>
+///         <b>%Default:</b> a supernodal Cholesky factorization that needs no other library; `Eigen::SimplicialLDLT`
+///         for systems of less than 1,000 unknowns. Eigen 3.3 (or greater) is required.
 /// \tparam Method_ is chosen by the derived class.
 ///
 /// \sa `MIPS_parameterizer_3`
@@ -82,13 +80,12 @@ public:
 
   /// Constructor
   ///
-  /// \param solver solves all sparse systems, as it is set up. If it has the interface of \eigen, each system
-  ///        is solved by a copy of it; given as `std::reference_wrapper`, or if it is a model of
-  ///        `SparseLinearAlgebraWithFactorTraits_d`, it solves one system at a time, also for copies of the
-  ///        parameterizer. The symbolic analysis is kept while the values of a matrix change. The unknowns
-  ///        come in an order that keeps the factors sparse.
+  /// \param solver solves all sparse systems. If it has the interface of \eigen, each system is solved by a copy of
+  ///        it; if it is a model of `SparseLinearAlgebraWithFactorTraits_d`, by a new object of its type, whose settings
+  ///        are those of the default constructor. The symbolic analysis is kept while the values of a matrix change.
+  ///        The unknowns come in an order that keeps the factors sparse.
   explicit Free_border_parameterizer_3(const Solver_traits& solver = Solver_traits())
-    : m_linear_solvers(internal::make_linear_solver_source(solver))
+    : m_linear_solvers(internal::make_solvers(solver))
   {}
 
   /// computes a map from the connected component of `bhd` to the plane.
@@ -136,7 +133,7 @@ public:
       = internal::rest_shapes(component.chart().triangles(), component.points());
     std::vector<Eigen::Vector2d> uv;
     const internal::Newton_result result
-      = Method_::map(component.chart(), component.points(), shapes, *m_linear_solvers, uv);
+      = Method_::map(component.chart(), component.points(), shapes, m_linear_solvers, uv);
     if(result.outcome != internal::Newton_outcome::FAILED)
       return component.write(std::move(uv), uvmap, vpmap, &Method_::is_valid);
     // Without a factorization there was no map to start from.
@@ -144,7 +141,7 @@ public:
   }
 
 private:
-  std::shared_ptr<const internal::Linear_solver_source> m_linear_solvers;
+  internal::Solvers m_linear_solvers;
 };
 
 } // namespace Surface_mesh_parameterization

@@ -54,7 +54,7 @@ public:
   // `points` holds the position of each chart vertex on the surface, `shapes` the triangles laid flat. `ranks`: see
   // `Newton_system`.
   Chart_parameterizer(const Corner_table& chart, std::vector<Eigen::Vector3d> points,
-                      const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                      const std::vector<Rest_shape>& shapes, const Solvers& linear_solvers,
                       std::vector<int> ranks = {})
     : m_chart(chart), m_points(std::move(points)), m_shapes(shapes), m_weights(area_weights(shapes)),
       m_linear_solvers(linear_solvers), m_ranks(std::move(ranks))
@@ -120,7 +120,7 @@ private:
   {
     bool is_mapped = false;
     const auto map = [&] { is_mapped = first_map_found<Energy>(uv, options, first_map); };
-    if(m_linear_solvers.execution() == Execution::PARALLEL)
+    if(m_linear_solvers.execution == Execution::PARALLEL)
       execute_both(Execution::PARALLEL, map, [&] { solver(); });
     else // then its memory is not needed yet
       map();
@@ -144,7 +144,7 @@ private:
   std::vector<Eigen::Vector3d> m_points;
   const std::vector<Rest_shape>& m_shapes;
   std::vector<double> m_weights;
-  const Linear_solver_source& m_linear_solvers;
+  const Solvers& m_linear_solvers;
   const std::vector<int> m_ranks;
   std::unique_ptr<Newton_solver> m_solver;
 };

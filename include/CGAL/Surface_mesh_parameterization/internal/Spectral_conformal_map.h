@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
@@ -29,7 +29,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -59,7 +58,7 @@ public:
   }
 
   // False if the factorization fails, or once `go_further()` does not want more.
-  bool solve(const Linear_solver_source& linear_solvers, const Go_further& go_further)
+  bool solve(const Solvers& linear_solvers, const Go_further& go_further)
   {
     constexpr int maximum_iterations = 50; // a limit: about ten are usual
     constexpr double tolerance = 1e-4;     // the angle between iterates; only where the map is distorted matters
@@ -73,8 +72,8 @@ public:
     const double shift = relative_shift * trace / m_masses.sum();
     for(int v = 0; v < int(m_masses.size()); ++v)
       diagonal(v) += shift * m_masses[v];
-    const std::unique_ptr<Hermitian_solver> solver = linear_solvers.make_hermitian_solver();
-    if(!go_further() || !solver->factorize(m_energy))
+    Hermitian_solver solver(linear_solvers);
+    if(!go_further() || !solver.factorize(m_energy))
       return false;
 
     normalize();
@@ -85,7 +84,7 @@ public:
       Eigen::VectorXcd former = m_map; // times the masses
       for(int v = 0; v < int(former.size()); ++v)
         former[v] *= m_masses[v];
-      m_map = solver->solve(former);
+      m_map = solver.solve(former);
       normalize();
       Complex overlap = 0;
       for(int v = 0; v < int(former.size()); ++v)
@@ -181,7 +180,7 @@ private:
 // right, but several per cent where the map folds. False if there is no map of positive area, or
 // once `go_further()` does not want more.
 inline bool spectral_conformal_map(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
-                                   const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
+                                   const Solvers& linear_solvers, std::vector<Eigen::Vector2d>& uv,
                                    int* number_of_flips = nullptr,
                                    const Go_further& go_further = always_go_further)
 {

@@ -16,14 +16,13 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -56,7 +55,7 @@ inline void map_border_to_circle(const Corner_table& chart, const std::vector<in
 // border; rounding can spoil it, so the caller checks. All other border loops are closed by a
 // virtual vertex each. False if the system cannot be solved. Cost: one sparse factorization.
 inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::vector<int> >& loops,
-                            std::size_t outer_loop, const Linear_solver_source& linear_solvers,
+                            std::size_t outer_loop, const Solvers& linear_solvers,
                             std::vector<Eigen::Vector2d>& uv)
 {
   const int n = chart.number_of_vertices();
@@ -103,10 +102,10 @@ inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::ve
 
   Sparse_matrix laplacian(size, size); // the lower triangle
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  const std::unique_ptr<Symmetric_solver> solver = linear_solvers.make_symmetric_solver();
-  if(!solver->factorize(laplacian))
+  Symmetric_solver solver(linear_solvers);
+  if(!solver.factorize(laplacian))
     return false;
-  const Eigen::VectorXd solution[2] = {solver->solve(right[0]), solver->solve(right[1])};
+  const Eigen::VectorXd solution[2] = {solver.solve(right[0]), solver.solve(right[1])};
   for(int v = 0; v < n; ++v)
     if(unknowns[v] >= 0)
       uv[v] = Eigen::Vector2d(solution[0][unknowns[v]], solution[1][unknowns[v]]);

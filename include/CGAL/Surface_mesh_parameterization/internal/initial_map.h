@@ -34,7 +34,7 @@ namespace internal {
 // triangle that is not positive, or so small against the whole that its coordinates have lost their
 // digits, or if the chart has no border of at least three edges.
 inline bool tutte_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, double area,
-                      const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv)
+                      const Solvers& linear_solvers, std::vector<Eigen::Vector2d>& uv)
 {
   const std::vector<std::vector<int> > loops = chart.border_loops();
   std::vector<double> lengths, outer_lengths;

@@ -28,7 +28,7 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-class Linear_solver_source;
+struct Solvers;
 } // namespace internal
 } // namespace Surface_mesh_parameterization
 
@@ -80,7 +80,7 @@ struct Cutting_parameters
   unsigned int random_seed = 0;
   bool adds_start = true; // whether that of the seed comes to those of the first seeds, where there are several at a bound
   // For the sparse systems of all maps; not needed where nothing is mapped.
-  std::shared_ptr<const Surface_mesh_parameterization::internal::Linear_solver_source> linear_solvers;
+  std::shared_ptr<const Surface_mesh_parameterization::internal::Solvers> linear_solvers;
 
   // On a small surface, features of a still coarser version lead to cuts of about the same quality, and finding them takes
   // most of the time; on a large one, it does not. Maps of a small one take so little time that trees which are hard to

@@ -35,7 +35,7 @@ public:
   Coarse_disk(const Problem& fine, Corner_table chart, int number_of_faces, const Context& context)
     : m_chart(std::move(chart)),
       m_disk(chart_points(fine.mesh, m_chart), m_chart.triangles(), m_chart.opposites()),
-      m_coarse(m_disk, number_of_faces / 2, {}, context.parameters.linear_solvers->execution()),
+      m_coarse(m_disk, number_of_faces / 2, {}, context.parameters.linear_solvers->execution),
       m_problem{m_coarse.mesh, m_coarse.shapes(),
                 coarse_constraints(m_disk, constraints_of_disk(fine), m_coarse, {}), {}, Initial_cut(), false}
   {}

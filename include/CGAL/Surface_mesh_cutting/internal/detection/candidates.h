@@ -35,11 +35,11 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::Chart_parameterizer;
-using Surface_mesh_parameterization::internal::Linear_solver_source;
 using Surface_mesh_parameterization::internal::Newton_options;
 using Surface_mesh_parameterization::internal::Newton_outcome;
 using Surface_mesh_parameterization::internal::Newton_result;
 using Surface_mesh_parameterization::internal::Rest_shape;
+using Surface_mesh_parameterization::internal::Solvers;
 using Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy;
 
 // A local maximizer of the distortion and its scope of influence (paper, Section 3.1.1).
@@ -57,7 +57,7 @@ inline bool conformal_map(const Indexed_mesh& mesh, const std::vector<Rest_shape
   using namespace Surface_mesh_parameterization::internal;
   const std::vector<Point> points = chart_points(mesh, chart);
   int flips = 0;
-  const Linear_solver_source& linear_solvers = *parameters.linear_solvers;
+  const Solvers& linear_solvers = *parameters.linear_solvers;
   if(parameters.conformal_solver == Conformal_solver::SPECTRAL &&
      spectral_conformal_map(chart, shapes, linear_solvers, uv, &flips, control) &&
      (flips == 0 || remove_flips(chart, points, uv)))

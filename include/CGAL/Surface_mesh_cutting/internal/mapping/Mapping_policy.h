@@ -23,15 +23,15 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using Surface_mesh_parameterization::internal::First_map;
-using Surface_mesh_parameterization::internal::Linear_solver_source;
 using Surface_mesh_parameterization::internal::Newton_options;
+using Surface_mesh_parameterization::internal::Solvers;
 
 // How maps are solved while cuts are compared.
 struct Mapping_policy
 {
-  explicit Mapping_policy(const Linear_solver_source& source) : linear_solvers(source) {}
+  explicit Mapping_policy(const Solvers& source) : linear_solvers(source) {}
 
-  const Linear_solver_source& linear_solvers;
+  const Solvers& linear_solvers;
   First_map first_map = First_map::HIERARCHY;
   // See `Newton_options::decrement`. An accuracy well below epsilon_iso suffices: what the last step leaves
   // is far less than the decrement before it.

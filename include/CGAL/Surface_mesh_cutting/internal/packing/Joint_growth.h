@@ -16,7 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Contact_finder.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
@@ -32,7 +33,8 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 using CGAL::internal::Graph_kernel::Go_further;
-using Surface_mesh_parameterization::internal::Simplicial_unordered_solver;
+using Surface_mesh_parameterization::internal::Solvers;
+using Surface_mesh_parameterization::internal::Symmetric_solver;
 
 // Grows charts in a square, or rather narrows the square, until they are jammed: no motion of all charts together makes
 // more room. Gauss-Newton steps in all motions at once settle in a few steps what charts that move one after the other
@@ -41,7 +43,8 @@ class Joint_growth
 {
 public:
   Joint_growth(const std::vector<Rigid_chart>& charts, const Go_further& go_further)
-    : m_charts(charts), m_finder(charts), m_go_further(go_further), m_solver(go_further)
+    : m_charts(charts), m_finder(charts), m_go_further(go_further),
+      m_linear_solvers(Surface_mesh_parameterization::internal::default_solvers(go_further))
   {}
 
   long long lookups() const { return m_finder.lookups(); }
@@ -144,9 +147,10 @@ private:
     }
     Eigen::SparseMatrix<double> lower(3 * number, 3 * number);
     lower.setFromTriplets(m_entries.begin(), m_entries.end());
-    if(!m_solver.factorize(lower))
+    Symmetric_solver solver(m_linear_solvers);
+    if(!solver.factorize(lower))
       return false;
-    move(motions, m_solver.solve(right));
+    move(motions, solver.solve(right));
     return true;
   }
 
@@ -171,7 +175,7 @@ private:
   const std::vector<Rigid_chart>& m_charts;
   Contact_finder m_finder;
   const Go_further m_go_further;
-  Simplicial_unordered_solver<double> m_solver;
+  const Solvers m_linear_solvers;
   std::vector<Pair_contact> m_contacts;
   std::vector<Eigen::Triplet<double> > m_entries;
 };

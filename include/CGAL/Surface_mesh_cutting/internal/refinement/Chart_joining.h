@@ -71,7 +71,7 @@ public:
   {
     const Connected_parts parts = current_parts();
     std::vector<Joint> joints = first_joints(parts);
-    execute(m_context.parameters.linear_solvers->execution(), int(joints.size()), [&](int i) { try_joint(joints[i]); });
+    execute(m_context.parameters.linear_solvers->execution, int(joints.size()), [&](int i) { try_joint(joints[i]); });
     for(const Joint& joint : joints)
       m_number_of_solved_faces += joint.number_of_solved_faces;
     const auto pays = [&](const Joint& joint)

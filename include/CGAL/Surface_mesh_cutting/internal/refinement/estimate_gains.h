@@ -52,7 +52,7 @@ inline void estimate_gains(Incremental_parameterization& map, std::vector<Slit>&
     for(int i = next++; i < int(slits.size()); i = next++)
       slits[i].gain = worker.estimate_gain(slits[i].edges);
   };
-  const Execution execution = map.policy().linear_solvers.execution();
+  const Execution execution = map.policy().linear_solvers.execution;
   const int workers = (std::min)({number_of_threads(execution), int(slits.size()), most_workers});
   if(workers < 2)
     return estimate_with(map);

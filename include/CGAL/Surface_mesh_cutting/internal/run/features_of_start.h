@@ -98,7 +98,7 @@ inline Coarse_mesh coarser_version(const Problem& fine, const Context& context)
 {
   const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
   return Coarse_mesh(fine.mesh, context.parameters.coarse_number_of_faces / 2, fine.terminals,
-                     context.parameters.linear_solvers->execution());
+                     context.parameters.linear_solvers->execution);
 }
 
 // What `find(problem, context)` finds on a coarser version. Unreachable features are removed when lifted.

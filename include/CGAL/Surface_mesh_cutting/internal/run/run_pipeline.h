@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/linear_solver_source.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/Default.h>
 
@@ -121,10 +121,11 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
   using Adapter = std::decay_t<decltype(adapter)>;
   Cutting_parameters parameters = read_cutting_parameters(np);
   using namespace Surface_mesh_parameterization::internal;
-  parameters.linear_solvers = counted_solvers(
-    make_linear_solver_source(choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control,
-                              execution_of<ConcurrencyTag>()),
-    clock.unknowns());
+  const auto linear_solvers = std::make_shared<Solvers>(make_solvers(
+    choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), Default()), control,
+    execution_of<ConcurrencyTag>()));
+  linear_solvers->factorized_unknowns = &clock.unknowns();
+  parameters.linear_solvers = linear_solvers;
 
   Indexed_status status = adapter.status();
   if(status)

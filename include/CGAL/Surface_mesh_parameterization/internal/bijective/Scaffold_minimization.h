@@ -57,7 +57,7 @@ class Scaffold_minimization
 {
 public:
   Scaffold_minimization(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
-                        const Linear_solver_source& linear_solvers, const Scaffold_options& options)
+                        const Solvers& linear_solvers, const Scaffold_options& options)
     : m_chart(chart), m_shapes(shapes), m_weights(area_weights(shapes)), m_linear_solvers(linear_solvers),
       m_options(options)
   {}
@@ -149,7 +149,7 @@ private:
     const Newton_result result = solver.minimize<Symmetric_Dirichlet_energy>(shapes, weights, uv, options);
     total.iterations += result.iterations;
     total.decrement = result.decrement;
-    if(result.outcome == Newton_outcome::FAILED || count_flips(triangles, uv, nullptr, m_linear_solvers.execution()) > 0)
+    if(result.outcome == Newton_outcome::FAILED || count_flips(triangles, uv, nullptr, m_linear_solvers.execution) > 0)
       return Newton_result();
     uv.resize(n);
     return result;
@@ -158,7 +158,7 @@ private:
   const Corner_table& m_chart;
   const std::vector<Rest_shape>& m_shapes;
   const std::vector<double> m_weights;
-  const Linear_solver_source& m_linear_solvers;
+  const Solvers& m_linear_solvers;
   const Scaffold_options& m_options;
   // Of the vertices that the latest round could move: an order of elimination, which suits the next round, too. That of
   // the chart without its scaffold would not: it knows nothing of what joins the two sides of a gap.

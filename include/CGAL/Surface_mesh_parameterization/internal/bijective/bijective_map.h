@@ -58,7 +58,7 @@ inline int coarsest_size(int number_of_vertices)
 // hierarchy is injective, optimizing a stage with a scaffold keeps it so, and refinement does not leave its image. The
 // stage that ends above `hopeless_energy` is the last.
 inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                                       const Linear_solver_source& linear_solvers, const Scaffold_options& options,
+                                       const Solvers& linear_solvers, const Scaffold_options& options,
                                        double hopeless_energy, std::vector<Eigen::Vector2d>& uv)
 {
   // In coarse stages, parts of the chart still travel far, which they hardly can where triangles are small; these stages
@@ -77,7 +77,7 @@ inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vec
   };
   constexpr bool keeps_region = true;
   const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map)
-  { return is_bijective(chart, map, linear_solvers.execution()); };
+  { return is_bijective(chart, map, linear_solvers.execution); };
   return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, coarsest_size(chart.number_of_vertices()),
                                                    linear_solvers, optimize, is_valid, uv);
 }
@@ -87,7 +87,7 @@ inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vec
 // Should that fail, stages of the surface itself are mapped, or Tutte's embedding of the whole chart is optimized. False
 // if rounding spoils all, if stopped, or if a stage ends above `hopeless_energy`.
 inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                            const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                            const std::vector<Rest_shape>& shapes, const Solvers& linear_solvers,
                             const Scaffold_options& options, double hopeless_energy, std::vector<Eigen::Vector2d>& uv)
 {
   std::vector<Eigen::Vector3d> flat;
@@ -95,7 +95,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
     flat.emplace_back(p.x(), p.y(), 0);
   Stages_outcome outcome = bijective_stages(chart, flat, linear_solvers, options, hopeless_energy, uv);
   if(outcome == Stages_outcome::MAPPED)
-    improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv, linear_solvers.execution());
+    improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv, linear_solvers.execution);
   else if(outcome == Stages_outcome::FAILED)
     outcome = bijective_stages(chart, points, linear_solvers, options, hopeless_energy, uv);
   if(outcome != Stages_outcome::FAILED)
@@ -105,19 +105,19 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
   Scaffold_options tutte_options = options;
   tutte_options.moves_scaffold = true;
   Scaffold_minimization(chart, shapes, linear_solvers, tutte_options)(uv);
-  return is_bijective(chart, uv, linear_solvers.execution());
+  return is_bijective(chart, uv, linear_solvers.execution);
 }
 
 // As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
 // isometric map, with what its solve returned. That is the answer if its borders do not overlap.
 // FAILED if no injective map was found, or if one on the way has more than `hopeless_energy`.
 inline Newton_result make_bijective(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                                    const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                                    const std::vector<Rest_shape>& shapes, const Solvers& linear_solvers,
                                     std::vector<Eigen::Vector2d>& uv, const Newton_result& isometric,
                                     const Newton_options& options,
                                     double hopeless_energy = std::numeric_limits<double>::infinity())
 {
-  if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv, linear_solvers.execution()))
+  if(isometric.outcome == Newton_outcome::FAILED || is_bijective(chart, uv, linear_solvers.execution))
     return isometric;
   Scaffold_options scaffold_options;
   scaffold_options.go_further = options.go_further;
@@ -127,13 +127,13 @@ inline Newton_result make_bijective(const Corner_table& chart, const std::vector
   scaffold_options.least_decrease = options.least_decrease;
   scaffold_options.least_energy = isometric.energy;
   const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, scaffold_options)(uv);
-  return is_bijective(chart, uv, linear_solvers.execution()) ? result : Newton_result();
+  return is_bijective(chart, uv, linear_solvers.execution) ? result : Newton_result();
 }
 
 // The same without a map to start with. `points` holds the position of each chart vertex on the
 // surface, `shapes` the triangles laid flat.
 inline Newton_result bijective_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                                   const std::vector<Rest_shape>& shapes, const Linear_solver_source& linear_solvers,
+                                   const std::vector<Rest_shape>& shapes, const Solvers& linear_solvers,
                                    std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
 {
   const Newton_result isometric

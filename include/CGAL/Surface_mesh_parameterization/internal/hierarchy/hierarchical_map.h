@@ -51,7 +51,7 @@ enum class Stages_outcome { MAPPED, FAILED, STOPPED };
 // From Tutte's embedding of the stage of about `coarsest_size` vertices to the whole chart.
 template <typename Energy, typename Optimize>
 Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
-                             const Linear_solver_source& linear_solvers, const Optimize& optimize,
+                             const Solvers& linear_solvers, const Optimize& optimize,
                              std::vector<Eigen::Vector2d>& uv)
 {
   hierarchy.coarsen(coarsest_size, 0); // stages need not stand for the whole, but lead to the next one
@@ -81,13 +81,13 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
 // it ended.
 template <typename Energy, typename Optimize, typename IsValid>
 Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_region,
-                             int usual_coarsest_size, const Linear_solver_source& linear_solvers, const Optimize& optimize,
+                             int usual_coarsest_size, const Solvers& linear_solvers, const Optimize& optimize,
                              const IsValid& is_valid, std::vector<Eigen::Vector2d>& uv)
 {
   for(int coarsest_size : {usual_coarsest_size, 60, 15, 4})
   {
     uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
-    Chart_hierarchy hierarchy(chart, points, keeps_region, linear_solvers.execution());
+    Chart_hierarchy hierarchy(chart, points, keeps_region, linear_solvers.execution);
     const Stages_outcome outcome = map_by_stages<Energy>(hierarchy, coarsest_size, linear_solvers, optimize, uv);
     if(outcome == Stages_outcome::STOPPED || (outcome == Stages_outcome::MAPPED && is_valid(uv)))
       return outcome;
@@ -99,7 +99,7 @@ Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen:
 // their optimum are global, and every iteration saved at full resolution pays for many there.
 template <typename Energy>
 Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
-                                const Linear_solver_source& linear_solvers, std::vector<Eigen::Vector2d>& uv,
+                                const Solvers& linear_solvers, std::vector<Eigen::Vector2d>& uv,
                                 const Go_further& go_further = always_go_further)
 {
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
@@ -111,7 +111,7 @@ Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eig
     return solver.minimize<Energy>(stage.shapes, area_weights(stage.shapes), stage_uv, options).outcome;
   };
   const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map)
-  { return count_flips(chart.triangles(), map, nullptr, linear_solvers.execution()) == 0; };
+  { return count_flips(chart.triangles(), map, nullptr, linear_solvers.execution) == 0; };
   constexpr int coarsest_size = 250;
   return map_by_stages<Energy>(chart, points, false, coarsest_size, linear_solvers, optimize, is_valid, uv);
 }

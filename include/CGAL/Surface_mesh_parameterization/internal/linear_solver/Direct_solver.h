@@ -15,25 +15,27 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Simplicial_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Supernodal_factorization.h>
 
-#include <Eigen/Core>
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
-#include <memory>
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+
 #include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// Supernodes for large systems, single entries for small ones. The size alone decides, so that the result is the
-// same for any number of threads.
+// The solver of programs that give none: supernodes for large systems, single entries for small ones, by Eigen. The
+// size alone decides, so that the result is the same for any number of threads. Factorizations of large systems end, as
+// if they failed, once `go_further()` does not want more.
 class Direct_solver : public Linear_solver
 {
 public:
-  Direct_solver(Go_further go_further, Execution execution)
-    : m_go_further(go_further), m_small(std::move(go_further)), m_large(execution)
+  explicit Direct_solver(Go_further go_further = always_go_further, Execution execution = Execution::SEQUENTIAL)
+    : m_go_further(std::move(go_further)), m_large(execution)
   {}
 
   void analyze(const Sparse_matrix& upper) override
@@ -42,15 +44,18 @@ public:
     if(m_is_large)
       m_large.analyze(upper);
     else
-      m_small.analyze(upper);
+      m_small.analyzePattern(upper);
   }
   bool factorize(const Sparse_matrix& upper) override
   {
-    return m_is_large ? m_large.factorize(upper, m_go_further) : m_small.factorize(upper);
+    if(m_is_large)
+      return m_large.factorize(upper, m_go_further);
+    m_small.factorize(upper);
+    return m_small.info() == Eigen::Success && (m_small.vectorD().array() > 0).all();
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& right) override
   {
-    return m_is_large ? m_large.solve(right) : m_small.solve(right);
+    return m_is_large ? m_large.solve(right) : Eigen::VectorXd(m_small.solve(right));
   }
 
   // Whether the supernodes pay.
@@ -62,26 +67,9 @@ public:
 
 private:
   const Go_further m_go_further;
-  Simplicial_solver m_small;
+  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper, Eigen::NaturalOrdering<int> > m_small;
   Supernodal_factorization m_large;
   bool m_is_large = false;
-};
-
-// What is used unless another solver is given.
-class Direct_solver_source : public Simplicial_solver_source
-{
-public:
-  explicit Direct_solver_source(Go_further go_further = always_go_further, Execution execution = Execution::SEQUENTIAL)
-    : Simplicial_solver_source(go_further, execution), m_go_further(std::move(go_further))
-  {}
-
-  std::unique_ptr<Linear_solver> make_solver() const override
-  {
-    return std::make_unique<Direct_solver>(m_go_further, execution());
-  }
-
-private:
-  const Go_further m_go_further;
 };
 
 } // namespace internal

@@ -19,7 +19,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <complex>
+#include <atomic>
+#include <functional>
 #include <memory>
 
 namespace CGAL {
@@ -28,9 +29,9 @@ namespace internal {
 
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
-// Solves symmetric systems whose upper triangle is stored, with sorted columns, and whose unknowns come in
-// an order that keeps the factors sparse: `analyze()` once per pattern, `factorize()` once per matrix, `solve()` as
-// often as wanted. The matrix has to stay as it is until the last `solve()`.
+// Solves positive definite systems whose upper triangle is stored, and whose unknowns come in an order that keeps the
+// factors sparse: `analyze()` once per pattern, `factorize()` once per matrix, `solve()` as often as wanted. The matrix
+// has to stay as it is until the last `solve()`.
 class Linear_solver
 {
 public:
@@ -41,44 +42,30 @@ public:
   virtual bool factorize(const Sparse_matrix& upper) = 0;
   // Not finite if the solver fails.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& right) = 0;
-  // The factors are not needed any more: a solver that is shared can serve another system.
-  virtual void release() {}
 };
 
-// Solves one positive definite system whose lower triangle is stored, with all diagonal entries, and
-// whose unknowns come in any order; symmetric or, with complex numbers, Hermitian.
-template <typename Scalar>
-class Unordered_solver
+// How the systems of a run are solved. Several threads may use it at a time.
+struct Solvers
 {
-public:
-  using Matrix = Eigen::SparseMatrix<Scalar>;
-  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  // A solver for one pattern.
+  std::function<std::unique_ptr<Linear_solver>()> make;
+  // Whether these solvers, and the loops that assemble systems, may use several threads.
+  Execution execution = Execution::SEQUENTIAL;
+  // Whether the program gave a solver, which then solves all systems.
+  bool is_given = false;
+  // Receives the numbers of unknowns of all factorizations: a measure of cost that does not depend on the machine.
+  std::atomic<long long>* factorized_unknowns = nullptr;
 
-  virtual ~Unordered_solver() = default;
-
-  virtual bool factorize(const Matrix& lower) = 0;
-  virtual Vector solve(const Vector& right) = 0;
-};
-
-using Symmetric_solver = Unordered_solver<double>;
-using Hermitian_solver = Unordered_solver<std::complex<double> >;
-
-// Where the solvers of all systems come from, and whether these and the loops that assemble systems may use several
-// threads. May be asked by several threads at a time.
-class Linear_solver_source
-{
-public:
-  explicit Linear_solver_source(Execution execution = Execution::SEQUENTIAL) : m_execution(execution) {}
-  virtual ~Linear_solver_source() = default;
-
-  Execution execution() const { return m_execution; }
-
-  virtual std::unique_ptr<Linear_solver> make_solver() const = 0;
-  virtual std::unique_ptr<Symmetric_solver> make_symmetric_solver() const = 0;
-  virtual std::unique_ptr<Hermitian_solver> make_hermitian_solver() const = 0;
-
-private:
-  const Execution m_execution;
+  void count(Eigen::Index unknowns) const
+  {
+    if(factorized_unknowns != nullptr)
+      *factorized_unknowns += unknowns;
+  }
+  bool factorize(Linear_solver& solver, const Sparse_matrix& upper) const
+  {
+    count(upper.cols());
+    return solver.factorize(upper);
+  }
 };
 
 } // namespace internal

@@ -63,7 +63,7 @@ struct Matrix_of<Solver, std::void_t<typename Solver::MatrixType> > { using type
 template <typename Solver, typename = void>
 struct Has_diagonal : std::false_type {};
 template <typename Solver>
-struct Has_diagonal<Solver, std::void_t<decltype(std::declval<Solver&>().vectorD().minCoeff())> >
+struct Has_diagonal<Solver, std::void_t<decltype(std::declval<Solver&>().vectorD().array())> >
   : std::true_type {};
 
 template <typename Solver, typename = void>
@@ -112,21 +112,18 @@ private:
     common.print = 0; // that a matrix is not positive definite is no news for the terminal
   }
 
+  // With sorted columns, which transposing brings about: CHOLMOD relies on them.
   const Matrix& stored(const Sparse_matrix& upper)
   {
     constexpr int triangles = Stored_triangles<Solver>::value;
-    if constexpr(triangles == Eigen::Upper && std::is_same_v<Matrix, Sparse_matrix>)
-      return upper;
+    const Sparse_matrix lower = upper.transpose();
+    if constexpr(triangles == Eigen::Lower)
+      m_matrix = lower;
+    else if constexpr(triangles == Eigen::Upper)
+      m_matrix = lower.transpose();
     else
-    {
-      if constexpr(triangles == Eigen::Upper)
-        m_matrix = upper;
-      else if constexpr(triangles == Eigen::Lower)
-        m_matrix = upper.transpose();
-      else
-        m_matrix = upper.selfadjointView<Eigen::Upper>();
-      return m_matrix;
-    }
+      m_matrix = lower.selfadjointView<Eigen::Lower>();
+    return m_matrix;
   }
 
   // LDL^T goes on where the matrix is not positive definite, which its diagonal shows. Other solvers
@@ -134,16 +131,13 @@ private:
   bool is_positive() const
   {
     if constexpr(Has_diagonal<Solver>::value)
-    {
-      const auto diagonal = m_solver->vectorD();
-      return diagonal.size() == 0 || diagonal.minCoeff() > 0;
-    }
+      return (m_solver->vectorD().array() > 0).all();
     else
       return true;
   }
 
   std::shared_ptr<Solver> m_solver;
-  Matrix m_matrix; // unless the solver reads the upper triangle
+  Matrix m_matrix;
 };
 
 template <typename SolverTraits>

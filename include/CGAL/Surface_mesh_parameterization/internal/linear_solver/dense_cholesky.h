@@ -65,7 +65,7 @@ private:
 };
 
 // Subtracts a b^T from the lower trapezoid c, where b are the upper rows of a, which has few columns: Eigen's
-// product takes blocks apart first, which pays for large ones only.
+// product packs its operands, which pays only for large blocks.
 inline void subtract_thin_product(const Dense_block& a, Dense_block& c)
 {
   const int depth = int(a.cols()), rows = int(c.rows());

@@ -15,8 +15,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/reordered.h>
 
+#include <Eigen/Core>
 #include <Eigen/OrderingMethods>
 
 #include <vector>
@@ -31,11 +31,11 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// Approximate minimum degree. Of the symmetric matrix, only the lower triangle is read: of a whole one, Eigen would add
-// the transposed to it.
+// Approximate minimum degree: order[i] is eliminated as the i-th. Only the lower triangle of the symmetric matrix is
+// read: to a whole one, Eigen would add the transposed.
 inline std::vector<int> minimum_degree_order(const Sparse_matrix& lower)
 {
-  Permutation permutation;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
   Eigen::AMDOrdering<int> order;
   order(lower.selfadjointView<Eigen::Lower>(), permutation);
   return std::vector<int>(permutation.indices().data(),

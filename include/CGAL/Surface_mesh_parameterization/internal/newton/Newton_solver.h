@@ -87,10 +87,10 @@ class Newton_solver
 public:
   // Vertices with `is_fixed` keep their place (empty: all are free; then the first vertex is pinned,
   // which costs nothing since the energies do not depend on translation). `ranks`: see `Newton_system`.
-  Newton_solver(std::vector<Triangle> triangles, int number_of_vertices, const Linear_solver_source& linear_solvers,
+  Newton_solver(std::vector<Triangle> triangles, int number_of_vertices, const Solvers& linear_solvers,
                 std::vector<char> is_fixed = {}, const std::vector<int>& ranks = {})
-    : m_triangles(std::move(triangles)), m_execution(linear_solvers.execution()),
-      m_relaxation(m_execution), m_solver(linear_solvers.make_solver())
+    : m_triangles(std::move(triangles)), m_linear_solvers(linear_solvers), m_execution(linear_solvers.execution),
+      m_relaxation(m_execution), m_solver(linear_solvers.make())
   {
     if(std::find(is_fixed.begin(), is_fixed.end(), char(1)) == is_fixed.end() && !m_triangles.empty())
     {
@@ -118,7 +118,6 @@ public:
     // Of the gain that a direction predicts: a factorization serves as long as its directions keep that much.
     constexpr double least_share = 0.1;
     constexpr double rounding = 1e-14; // of the energy: its sum over a million triangles is no more exact
-    const Release release{*m_solver};
     Newton_result result;
     std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
     result.energy = energy<Energy>(shapes, weights, uv);
@@ -204,13 +203,6 @@ public:
   }
 
 private:
-  // Lets go of the linear solver at the end of a scope.
-  struct Release
-  {
-    Linear_solver& solver;
-    ~Release() { solver.release(); }
-  };
-
   struct Curvature_pair
   {
     Eigen::VectorXd step, gradient_change;
@@ -241,7 +233,7 @@ private:
       if(relaxes && shift == gauge_shift && relax<Energy>(shapes, weights, options, uv, result))
         result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, shift);
       ++result.iterations;
-      if(!m_solver->factorize(m_system.hessian()))
+      if(!m_linear_solvers.factorize(*m_solver, m_system.hessian()))
         continue;
       m_step = m_solver->solve(m_system.gradient());
       result.decrement = m_system.gradient().dot(m_step);
@@ -351,6 +343,7 @@ private:
   }
 
   std::vector<Triangle> m_triangles;
+  const Solvers& m_linear_solvers;
   const Execution m_execution;
   Newton_system m_system;
   Star_relaxation m_relaxation;

@@ -9,4 +9,4 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/wrapped_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/default_solvers.h>

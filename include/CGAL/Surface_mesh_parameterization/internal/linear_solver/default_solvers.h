@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_DEFAULT_SOLVERS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_DEFAULT_SOLVERS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/library.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Direct_solver.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Those of programs that give no solver.
+CGAL_SURFACE_MESH_CUTTING_INLINE
+Solvers default_solvers(const Go_further& go_further, Execution execution)
+{
+  return {[=] { return std::make_unique<Direct_solver>(go_further, execution); }, execution};
+}
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_DEFAULT_SOLVERS_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_UNORDERED_SOLVERS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_UNORDERED_SOLVERS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_parameterization {
+namespace internal {
+
+// Solves a positive definite system whose lower triangle is stored, with all diagonal entries, and whose unknowns come
+// in any order: a `Linear_solver` gets it in one that keeps the factors sparse.
+class Symmetric_solver
+{
+public:
+  explicit Symmetric_solver(const Solvers& solvers) : m_solvers(solvers), m_solver(solvers.make()) {}
+
+  bool factorize(const Sparse_matrix& lower)
+  {
+    const std::vector<int> order = minimum_degree_order(lower);
+    m_to_places.resize(lower.rows());
+    for(int i = 0; i < int(order.size()); ++i)
+      m_to_places.indices()[order[i]] = i;
+    m_upper.resize(lower.rows(), lower.cols());
+    m_upper.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(m_to_places);
+    m_solver->analyze(m_upper);
+    return m_solvers.factorize(*m_solver, m_upper);
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right)
+  {
+    const Eigen::VectorXd solution = m_solver->solve(m_to_places * right);
+    return m_to_places.inverse() * solution;
+  }
+
+private:
+  const Solvers& m_solvers;
+  std::unique_ptr<Linear_solver> m_solver;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> m_to_places;
+  Sparse_matrix m_upper;
+};
+
+// The same for a Hermitian system. Eigen solves it, unless a solver is given or the system is so large that a run could
+// not be stopped: then it becomes a real one. With each unknown as its real and its imaginary part, a + ib becomes the
+// block (a, -b; b, a).
+class Hermitian_solver
+{
+public:
+  using Matrix = Eigen::SparseMatrix<std::complex<double> >;
+
+  explicit Hermitian_solver(const Solvers& solvers) : m_solvers(solvers), m_embedded(solvers) {}
+
+  bool factorize(const Matrix& lower)
+  {
+    constexpr int large = 20000; // takes some tenths of a second
+    m_is_embedded = m_solvers.is_given || lower.cols() > large;
+    if(m_is_embedded)
+      return m_embedded.factorize(embedded(lower));
+    m_solvers.count(2 * lower.cols());
+    m_solver.compute(lower);
+    return m_solver.info() == Eigen::Success && (m_solver.vectorD().real().array() > 0).all();
+  }
+
+  Eigen::VectorXcd solve(const Eigen::VectorXcd& right)
+  {
+    if(!m_is_embedded)
+      return m_solver.solve(right);
+    Eigen::VectorXd parts(2 * right.size());
+    for(Eigen::Index i = 0; i < right.size(); ++i)
+      parts.segment<2>(2 * i) << right[i].real(), right[i].imag();
+    parts = m_embedded.solve(parts);
+    Eigen::VectorXcd result(right.size());
+    for(Eigen::Index i = 0; i < right.size(); ++i)
+      result[i] = std::complex<double>(parts[2 * i], parts[2 * i + 1]);
+    return result;
+  }
+
+private:
+  static Sparse_matrix embedded(const Matrix& lower)
+  {
+    std::vector<Eigen::Triplet<double> > entries;
+    entries.reserve(4 * std::size_t(lower.nonZeros()));
+    for(int column = 0; column < lower.outerSize(); ++column)
+      for(Matrix::InnerIterator it(lower, column); it; ++it)
+      {
+        const int i = 2 * int(it.row()), j = 2 * column;
+        entries.emplace_back(i, j, it.value().real());
+        entries.emplace_back(i + 1, j + 1, it.value().real());
+        entries.emplace_back(i + 1, j, it.value().imag());
+        if(i != j) // otherwise it belongs to the upper triangle
+          entries.emplace_back(i, j + 1, -it.value().imag());
+      }
+    Sparse_matrix result(2 * lower.rows(), 2 * lower.cols());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  const Solvers& m_solvers;
+  bool m_is_embedded = false;
+  Eigen::SimplicialLDLT<Matrix> m_solver;
+  Symmetric_solver m_embedded;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_UNORDERED_SOLVERS_H
