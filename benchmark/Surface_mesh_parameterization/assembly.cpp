@@ -5,8 +5,7 @@
 #include "Layout.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 

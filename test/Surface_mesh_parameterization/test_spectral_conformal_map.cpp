@@ -5,7 +5,7 @@
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/MIPS_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/remove_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>

@@ -4,7 +4,7 @@
 #undef NDEBUG
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 

@@ -26,6 +26,17 @@ inline Eigen::Vector3d cross_product(const Eigen::Vector3d& a, const Eigen::Vect
   return Eigen::Vector3d(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
 }
 
+inline double determinant(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Twice the area of a triangle, negative if it is clockwise.
+inline double doubled_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+{
+  return determinant(b - a, c - a);
+}
+
 } // namespace internal
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 
 #include <algorithm>
 #include <vector>

@@ -23,7 +23,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 
 #include <cmath>
 #include <limits>

@@ -26,9 +26,9 @@ namespace internal {
 
 using Marked_kernel = Exact_predicates_inexact_constructions_kernel;
 
-// The constrained Delaunay triangulation of all who need one, since each other type would cost every program seconds of
-// compilation. Vertices have an index, faces a mark. With this tag, constraints that cross end the triangulation by an
-// exception; constructing their crossings would cost seconds, too. Constraints that touch leave fewer edges.
+// The constrained Delaunay triangulation that all users share: every further type adds seconds of compile time.
+// Vertices have an index, faces a mark. With this tag, constraints that cross end the triangulation by an exception;
+// constructing their crossings would cost seconds, too. Constraints that touch leave fewer edges.
 using Marked_triangulation = Constrained_Delaunay_triangulation_2<
   Marked_kernel,
   Triangulation_data_structure_2<

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 
 #include <Eigen/Core>
 
@@ -25,7 +26,7 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// Draws the source of a border halfedge into the surface: to the left of both border edges, so that the chart's image
+// Moves a border vertex inward, the source of a halfedge: to the left of both border edges, so that the chart's image
 // shrinks, and only as far as no triangle around it loses more than half of its area.
 inline void draw_inwards(const Corner_table& chart, int halfedge, std::vector<Eigen::Vector2d>& uv)
 {
@@ -40,10 +41,7 @@ inline void draw_inwards(const Corner_table& chart, int halfedge, std::vector<Ei
   const Eigen::Vector2d outgoing = uv[chart.target(halfedge)] - former;
   const Eigen::Vector2d along = incoming.normalized() + outgoing.normalized();
   const auto twice_area = [&](int h)
-  {
-    const Eigen::Vector2d a = uv[chart.target(h)] - uv[v], b = uv[chart.source(previous_halfedge(h))] - uv[v];
-    return a.x() * b.y() - a.y() * b.x();
-  };
+  { return doubled_area(uv[v], uv[chart.target(h)], uv[chart.source(previous_halfedge(h))]); };
   std::vector<double> least_areas;
   for(int h = halfedge; h >= 0; h = chart.next_around_source(h))
     least_areas.push_back(twice_area(h) / 2);

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
 #include <Eigen/Core>
@@ -30,8 +31,7 @@ namespace internal {
 
 inline double triangle_area(const Triangle& t, const std::vector<Eigen::Vector2d>& uv)
 {
-  const Eigen::Vector2d a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
-  return 0.5 * (a.x() * b.y() - a.y() * b.x());
+  return 0.5 * doubled_area(uv[t[0]], uv[t[1]], uv[t[2]]);
 }
 
 inline double chart_area(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv)

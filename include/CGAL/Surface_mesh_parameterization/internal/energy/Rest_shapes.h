@@ -41,7 +41,7 @@ struct Rest_shape
 inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                              const Eigen::Vector2d& c)
 {
-  const double twice_area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  const double twice_area = doubled_area(a, b, c);
   const auto gradient = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t)
   { return Eigen::Vector2d((s.y() - t.y()) / twice_area, (t.x() - s.x()) / twice_area); };
   return Rest_shape{gradient(b, c), gradient(c, a), gradient(a, b), 0.5 * twice_area};

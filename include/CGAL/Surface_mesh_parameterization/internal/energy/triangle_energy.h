@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Energy_derivatives.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
 #include <Eigen/Core>

@@ -37,12 +37,13 @@ namespace internal {
 // A chart at all resolutions between a few triangles and its own: half-edge collapses (border only
 // along the border), undone one after the other with the vertex placed inside the kernel of its
 // star [SJZP19]. A flip-free map of a coarse stage thus becomes a flip-free map of the whole chart.
+// CGAL's Surface_mesh_simplification cannot undo collapses, works on meshes and not on index arrays, and is sequential.
 class Chart_hierarchy
 {
 public:
   // `points`: the position of each chart vertex on the surface. With `keeps_region`, the image of
   // each stage lies inside that of the coarser one, so that refining an injective map keeps it so; what is near the
-  // border goes last, since a border in few pieces leaves little room for what comes between them.
+  // border goes last, since a border with few edges leaves too little room to reinsert vertices.
   Chart_hierarchy(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
                   bool keeps_region = false, Execution execution = Execution::SEQUENTIAL)
     : m_chart(chart), m_points(points), m_keeps_region(keeps_region), m_execution(execution),
@@ -53,8 +54,8 @@ public:
   }
 
   // Collapses down to about `size` vertices; those with `is_kept` (empty: none) stay. Vertices go where that changes the
-  // shape least. A large chart is first worked on in regions, down to `size_in_regions`: everywhere alike, but at the same
-  // time and in a fraction of it. Call once. Returns the number of vertices that are left.
+  // shape least. A large chart is first coarsened region by region, in parallel and evenly, down to
+  // `size_in_regions`. Call once. Returns the number of vertices that are left.
   int coarsen(int size, int size_in_regions = (std::numeric_limits<int>::max)(), const std::vector<char>& is_kept = {})
   {
     std::vector<char> may_go(m_points.size());
@@ -233,7 +234,7 @@ private:
     return result;
   }
 
-  // Of what borders and their surroundings have no part in, at the start: so that errors decide about most stages.
+  // The share of the vertices that is left when collapses near borders begin: errors decide about most stages.
   static constexpr double least_share = 0.25;
 
   // Takes the marks of what is at most a few edges from the border.

@@ -35,8 +35,8 @@ namespace internal {
 class Chart_simplification
 {
 public:
-  // `points` holds the position of each chart vertex on the surface, `quadrics` what has come to each so far. Marks in
-  // `is_stale` belong to the simplifications of one chart, which must not be neighbors if they run at the same time.
+  // `points` holds the position of each chart vertex on the surface, `quadrics` the error quadrics accumulated so far. Marks
+  // in `is_stale` belong to the simplifications of one chart, which must not be neighbors if they run at the same time.
   // With `keeps_tips`, border vertices of a single triangle stay.
   Chart_simplification(Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_tips,
                        std::vector<Quadric>& quadrics, std::vector<char>& is_stale)

@@ -15,14 +15,30 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapse_log.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
+
+// Half-edge collapses in their order, with all that it takes to undo them.
+struct Collapse_log
+{
+  struct Collapse
+  {
+    int vertex, first_corner, first_halfedge;
+    int triangles[2]; // that went, or -1
+  };
+
+  int size() const { return int(collapses.size()); }
+
+  std::vector<Collapse> collapses;
+  std::vector<int> moved_corners;
+  std::vector<std::pair<int, int> > former_halfedges; // of vertices
+};
 
 // The connectivity of a chart under half-edge collapses that can be undone in the reverse order.
 // Triangles and vertices keep their numbers; collapsed ones are dormant. Collapses of vertices whose neighbors are

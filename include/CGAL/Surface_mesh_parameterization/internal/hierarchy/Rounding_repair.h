@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Symmetric_Dirichlet_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// Rounds a map to what its keeper can hold, as `float`, so that no triangle flips: where one does, a
+// Rounds UVs to the caller's number type, as `float`, so that no triangle flips: where one does, a
 // vertex of it moves towards the middle of the kernel of its star, no farther than needed.
 class Rounding_repair
 {

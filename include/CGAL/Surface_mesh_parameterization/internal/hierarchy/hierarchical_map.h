@@ -54,7 +54,7 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
                              const Solvers& linear_solvers, const Optimize& optimize,
                              std::vector<Eigen::Vector2d>& uv)
 {
-  hierarchy.coarsen(coarsest_size, 0); // stages need not stand for the whole, but lead to the next one
+  hierarchy.coarsen(coarsest_size, 0); // stages may be rough: each only has to initialize the next
   for(bool is_first = true; is_first || !hierarchy.is_complete(); is_first = false)
   {
     const Chart_hierarchy::Stage stage = hierarchy.stage();

@@ -28,6 +28,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -60,7 +61,7 @@ struct Newton_options
 {
   int maximum_iterations = 200; // factorizations
   double decrement = 1e-6; // as a fraction of the energy
-  double least_decrease = 0; // by a factorization, as a fraction of the energy; the first one that gains less is the last
+  double least_decrease = 0; // relative decrease per factorization below which the iteration stops
   Go_further go_further = always_go_further;
   // Whether what is known decides what the solve is for, so that the iteration may end.
   std::function<bool(const Newton_state&)> stop;
@@ -115,11 +116,7 @@ public:
   Newton_result minimize(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
                          std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
   {
-    // Of the gain that a direction predicts: a factorization serves as long as its directions keep that much.
-    constexpr double least_share = 0.1;
-    constexpr double rounding = 1e-14; // of the energy: its sum over a million triangles is no more exact
     Newton_result result;
-    std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
     result.energy = energy<Energy>(shapes, weights, uv);
     if(!std::isfinite(result.energy)) // the sums of `assemble()` do not see flips
       return result;
@@ -132,57 +129,24 @@ public:
     // One more assembly may spare factorizations: worth it where these take most of the time.
     constexpr int large_system = 20000; // unknowns
     bool relaxes = m_system.number_of_unknowns() > large_system;
-    for(; true; relaxes = false)
+    std::optional<Newton_outcome> outcome;
+    for(; !outcome; relaxes = false)
     {
       if(!find_direction<Energy>(shapes, weights, options, relaxes, uv, result))
       {
         result.energy = energy<Energy>(shapes, weights, uv);
-        result.outcome = Newton_outcome::SINGULAR;
-        return result;
+        outcome = Newton_outcome::SINGULAR;
+        break;
       }
-      m_memory.clear();
-      const double energy_of_factorization = result.energy;
-      for(int i = 0; i <= maximum_reuse(); ++i)
-      {
-        if(!options.go_further() ||
-           (options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement})))
-        {
-          result.outcome = Newton_outcome::STOPPED;
-          return result;
-        }
-        execute_blocks(m_execution, int(uv.size()), [&](int begin, int end)
-        {
-          for(int v = begin; v < end; ++v)
-            if(const int u = m_system.unknown(v); u >= 0)
-              direction[v] = Eigen::Vector2d(-m_step[u], -m_step[u + 1]);
-        });
-        const bool is_converged = result.decrement <= options.decrement * result.energy;
-        const double former = result.energy;
-        line_search<Energy>(shapes, weights, direction, uv, trial, result);
-        const double decrease = former - result.energy;
-        if(is_converged || (i == 0 && decrease <= rounding * former))
-        {
-          result.outcome = is_converged ? Newton_outcome::CONVERGED : Newton_outcome::STALLED;
-          return result;
-        }
-        const Eigen::VectorXd former_gradient = m_system.gradient();
-        m_system.template assemble_gradient<Energy>(m_triangles, shapes, weights, uv);
-        if(relax<Energy>(shapes, weights, options, uv, result))
-          result.energy = energy<Energy>(shapes, weights, uv);
-        if(decrease < least_share * result.decrement || !find_reused_direction(trial, uv, former_gradient, result))
-          break;
-      }
-      if(energy_of_factorization - result.energy < options.least_decrease * result.energy)
-      {
-        result.outcome = Newton_outcome::CONVERGED;
-        return result;
-      }
-      if(result.iterations >= options.maximum_iterations)
-      {
-        result.outcome = Newton_outcome::ITERATION_LIMIT;
-        return result;
-      }
+      const double former = result.energy;
+      outcome = use_factorization<Energy>(shapes, weights, options, uv, result);
+      if(!outcome && former - result.energy < options.least_decrease * result.energy)
+        outcome = Newton_outcome::CONVERGED;
+      if(!outcome && result.iterations >= options.maximum_iterations)
+        outcome = Newton_outcome::ITERATION_LIMIT;
     }
+    result.outcome = *outcome;
+    return result;
   }
 
   // The area-averaged energy; infinite if a triangle is not positive.
@@ -243,7 +207,8 @@ private:
     return false;
   }
 
-  // Whether stars were. What a single vertex may leave is little of what all may leave, and of the energy of its star.
+  // Whether stars were. Vertices are relaxed until their decrement is small against the tolerance and against the energy
+  // of their star.
   template <typename Energy>
   bool relax(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights, const Newton_options& options,
              std::vector<Eigen::Vector2d>& uv, const Newton_result& result)
@@ -252,6 +217,47 @@ private:
     const double mean_star = 3 / double(uv.size()); // of the area, about
     const double threshold = (std::max)(share_of_decrement * options.decrement, share_of_star * mean_star) * result.energy;
     return m_relaxation.relax<Energy>(m_triangles, shapes, weights, threshold, m_system, uv) > 0;
+  }
+
+  // Steps while the factorization at hand gives good directions, of which the first is known. The outcome, if that ends
+  // the iteration.
+  template <typename Energy>
+  std::optional<Newton_outcome> use_factorization(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
+                                                  const Newton_options& options, std::vector<Eigen::Vector2d>& uv,
+                                                  Newton_result& result)
+  {
+    // A factorization is reused while steps achieve this share of their predicted decrease.
+    constexpr double least_share = 0.1;
+    constexpr double rounding = 1e-14; // of the energy: its sum over a million triangles is no more exact
+    std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
+    m_memory.clear();
+    for(int i = 0; i <= maximum_reuse(); ++i)
+    {
+      if(!options.go_further() ||
+         (options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement})))
+        return Newton_outcome::STOPPED;
+      execute_blocks(m_execution, int(uv.size()), [&](int begin, int end)
+      {
+        for(int v = begin; v < end; ++v)
+          if(const int u = m_system.unknown(v); u >= 0)
+            direction[v] = Eigen::Vector2d(-m_step[u], -m_step[u + 1]);
+      });
+      const bool is_converged = result.decrement <= options.decrement * result.energy;
+      const double former = result.energy;
+      line_search<Energy>(shapes, weights, direction, uv, trial, result);
+      const double decrease = former - result.energy;
+      if(is_converged)
+        return Newton_outcome::CONVERGED;
+      if(i == 0 && decrease <= rounding * former)
+        return Newton_outcome::STALLED;
+      const Eigen::VectorXd former_gradient = m_system.gradient();
+      m_system.template assemble_gradient<Energy>(m_triangles, shapes, weights, uv);
+      if(relax<Energy>(shapes, weights, options, uv, result))
+        result.energy = energy<Energy>(shapes, weights, uv);
+      if(decrease < least_share * result.decrement || !find_reused_direction(trial, uv, former_gradient, result))
+        break;
+    }
+    return std::nullopt;
   }
 
   // The next direction from the factorization at hand: L-BFGS with the latest projected Hessian as

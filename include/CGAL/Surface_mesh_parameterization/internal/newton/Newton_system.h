@@ -67,8 +67,8 @@ public:
   // The place of each vertex in the order of elimination, negative without an unknown.
   const std::vector<int>& positions() const { return m_positions; }
 
-  // Twice what the quadratic model lets a vertex gain if it moves alone: from the gradient and the latest Hessian. 0 without
-  // an unknown.
+  // The Newton decrement of one vertex with all others fixed, from the gradient and the latest Hessian; 0 without an
+  // unknown.
   double decrement(int v) const
   {
     const int p = m_positions[v];

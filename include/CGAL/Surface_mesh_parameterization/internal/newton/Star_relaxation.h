@@ -41,8 +41,8 @@ class Star_relaxation
 public:
   explicit Star_relaxation(Execution execution) : m_execution(execution) {}
 
-  // Moves vertices whose own decrement is above `threshold`, unless these are most. The system holds the gradient at `uv`,
-  // of the area-averaged energy, and does so afterwards. Returns by how much that became less. No triangle flips.
+  // Moves vertices whose own decrement is above `threshold`, unless these are the majority. The system holds the gradient at
+  // `uv`, of the area-averaged energy, and does so afterwards. Returns by how much that became less. No triangle flips.
   // The triangles are the same in all calls.
   template <typename Energy>
   double relax(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,

@@ -77,8 +77,8 @@ public:
   }
 
 private:
-  // Of the last group, that of the triangles between the others: one thread adds, as they share vertices; before, several
-  // work out what, for some triangles at a time.
+  // The triangles between groups share vertices: their terms are computed in parallel, for some triangles at a time, and
+  // added by one thread.
   template <typename Terms, typename Add>
   double sum_between(Execution execution, const Terms& terms, const Add& add) const
   {

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 
 #include <Eigen/Core>
 
@@ -46,8 +47,6 @@ inline double step_to_first_flip(const std::vector<Triangle>& triangles,
                                  const std::vector<Eigen::Vector2d>& direction,
                                  Execution execution = Execution::SEQUENTIAL)
 {
-  const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-  { return a.x() * b.y() - a.y() * b.x(); };
   const auto smaller = [](double s, double t) { return (std::min)(s, t); };
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return reduce_blocks(execution, int(triangles.size()), infinity, [&](int begin, int end)
@@ -58,7 +57,8 @@ inline double step_to_first_flip(const std::vector<Triangle>& triangles,
       const Triangle& t = triangles[f];
       const Eigen::Vector2d a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
       const Eigen::Vector2d da = direction[t[1]] - direction[t[0]], db = direction[t[2]] - direction[t[0]];
-      step = smaller(step, smallest_positive_root(cross(a, b), cross(a, db) + cross(da, b), cross(da, db)));
+      step = smaller(step, smallest_positive_root(determinant(a, b), determinant(a, db) + determinant(da, b),
+                                                 determinant(da, db)));
     }
     return step;
   }, smaller);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
@@ -38,11 +39,6 @@ struct Star_triangle
   Eigen::Vector2d a, b;
   Rest_shape shape;
 };
-
-inline double doubled_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
-{
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 // The part of a convex polygon on the left of the line from a to b.
 inline void clip_polygon(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
