@@ -27,7 +27,7 @@ Options options_of(unsigned reading, unsigned bits)
   options.is_strict = reading % 8 == 7;
   options.weld = reading % 3 == 0 ? "auto" : reading % 3 == 1 ? "on" : "off";
   options.is_quiet = true;
-  options.solver = "eigen";
+  options.solver = "supernodal";
   options.effort = (bits & 1) != 0 ? "fast" : "default";
   options.is_faithful = (bits & 6) == 6;
   options.is_bijective = (bits & 8) != 0;
