@@ -19,6 +19,7 @@ class Usage(Case):
             run = self.unwrap(option)
             self.assertEqual((run.returncode, run.stderr), (0, b""))
             self.assertIn(b"unwrap", run.stdout)
+        self.assertRegex(self.unwrap("--version").stdout.decode(), r"^unwrap \d+\.\d+\.\d+ \(CGAL \d+\.\d+.*\)\n$")
 
     def test_help_names_exit_status(self):
         text = self.unwrap("--help").stdout.decode()

@@ -370,7 +370,7 @@ Command_line parse_command_line(int argc, char** argv)
 
   CLI::App app(description, "unwrap");
   app.footer(footer);
-  app.set_version_flag("--version", "unwrap (CGAL " CGAL_VERSION_STR ")");
+  app.set_version_flag("--version", "unwrap " UNWRAP_VERSION " (CGAL " CGAL_VERSION_STR ")");
   app.add_option("INPUT", options.input, "Mesh file; - is the standard input")->type_name("")->required();
   add_input_options(app, options);
   add_output_options(app, options);
