@@ -11,7 +11,7 @@ bool has_three_js()
 
 std::string three_js()
 {
-  return std::string(three_js_text);
+  return std::string(three_js_text, sizeof(three_js_text) - 1);
 }
 
 #else
