@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Packs what users install into build/package/, and tries each package where nothing else of the project is:
+# Packs what users install into build/packages/, and tries each package where nothing else of the project is:
 #   scripts/package.sh [program|library|wheel]...    (default: all)
 # program: the program unwrap for Linux, which needs no library but those of C, as unwrap-VERSION-linux-MACHINE.tar.gz, and
 #          the add-on for Blender with it, as surface_mesh_cutting_addon.zip. It computes with one thread. Takes minutes.
@@ -7,7 +7,7 @@
 # wheel:   the Python module, for the Python and with the libraries of this system.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-packages=$root/build/package
+packages=$root/build/packages
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 if command -v ninja > /dev/null; then
   export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
