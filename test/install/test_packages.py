@@ -4,6 +4,7 @@
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -67,6 +68,23 @@ class Program(Case):
         program, = self.folder.glob("surface_mesh_cutting_addon/bin/linux-*/unwrap")
         program.chmod(0o755)
         self.check_program(program)
+
+    @unittest.skipUnless(shutil.which("blender"), "Blender is not installed")
+    def test_addon_in_blender(self):
+        """Unwraps once it is installed and enabled, without a path in the preferences."""
+        (self.folder / "try.py").write_text(f"""
+import bpy
+bpy.ops.preferences.addon_install(filepath={str(self.package("surface_mesh_cutting_addon.zip"))!r})
+bpy.ops.preferences.addon_enable(module="surface_mesh_cutting_addon")
+print(bpy.context.preferences.addons["surface_mesh_cutting_addon"].preferences.find_program())
+bpy.ops.mesh.primitive_monkey_add()
+bpy.ops.uv.unwrap_with_shortest_cuts()
+assert any(edge.use_seam for edge in bpy.context.object.data.edges)
+""")
+        scripts = self.folder / "scripts"
+        said = self.run_here(shutil.which("blender"), "--background", "--factory-startup", "--python-exit-code", "1",
+                             "--python", "try.py", environment={"BLENDER_USER_SCRIPTS": str(scripts), "HOME": str(self.folder)})
+        self.assertRegex(said, rf"{scripts}/addons/surface_mesh_cutting_addon/bin/linux-\w+/unwrap\n")
 
 
 class Library(Case):
