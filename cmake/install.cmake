@@ -45,3 +45,18 @@ install(FILES
   "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfig.cmake"
   "${PROJECT_BINARY_DIR}/Surface_mesh_cuttingConfigVersion.cmake"
   DESTINATION ${package_dir})
+
+# A package for Debian: cpack -G DEB in the build folder, as scripts/package.sh does.
+set(CPACK_PACKAGE_NAME libsurface-mesh-cutting-dev)
+set(CPACK_PACKAGE_CONTACT "The Surface_mesh_cutting authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Short cuts of surfaces, and maps without flips: headers and library")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS
+  "libcgal-dev (>= ${SURFACE_MESH_CUTTING_MINIMUM_CGAL}), libeigen3-dev (>= ${SURFACE_MESH_CUTTING_MINIMUM_EIGEN}), libboost-dev")
+foreach(library ${SURFACE_MESH_CUTTING_LIBRARY_DEPENDENCIES})
+  string(TOLOWER "${library}" name)
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", lib${name}-dev")
+endforeach()
+include(CPack)

@@ -261,7 +261,8 @@ OTHER_NAMES = {
     "use_published_method": "faithful", "connect": "connection",
     "eps_iso": "minimum_distortion_decrease", "eps_len": "minimum_length_decrease",
     "alpha": "minimum_area_ratio", "beta": "influence_threshold",
-    "random_seed": "seed", "visitor": "progress", "scale": "uv_scale"}
+    "do_weld_points": "weld", "random_seed": "seed", "maximum_running_time": "time_limit", "visitor": "progress",
+    "scale": "uv_scale"}
 
 
 def _suggestion(name: str, function: Callable[..., Any], kind: type) -> str:

@@ -20,6 +20,7 @@ class Usage(Case):
             run = self.unwrap(option)
             self.assertEqual((run.returncode, run.stderr), (0, b""))
             self.assertIn(b"unwrap", run.stdout)
+        self.assertRegex(self.unwrap("--version").stdout.decode(), r"^unwrap \d+\.\d+\.\d+ \(CGAL \d+\.\d+.*\)\n$")
 
     def test_version(self):
         text = self.unwrap("--version").stdout.decode()

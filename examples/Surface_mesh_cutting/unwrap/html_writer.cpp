@@ -1,12 +1,11 @@
 #include "html_writer.h"
 
 #include "base64.h"
-#include "distortion_image.h"
-#include "file_bytes.h"
 #include "file_extension.h"
 #include "layout_energies.h"
 #include "outcome.h"
 #include "page_parts.h"
+#include "three_js.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,13 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#ifndef UNWRAP_THREE_JS
-#define UNWRAP_THREE_JS ""
-#endif
-
 namespace {
-
-constexpr const char* three_js = UNWRAP_THREE_JS;
 
 template <typename Number, typename Rows>
 std::string to_buffer(const char* id, const Rows& rows)
@@ -107,8 +100,7 @@ std::string facts(const Layout& layout, const Options& options)
 
 void check_page_can_be_made()
 {
-  std::error_code error;
-  if(!std::filesystem::is_regular_file(three_js, error))
+  if(!has_three_js())
     throw Failure(Exit_code::USAGE, "--html needs three.js, of Debian's package libjs-three, when the program is configured and when it runs");
 }
 
@@ -126,7 +118,7 @@ std::string to_html(const Layout& layout, const std::string& report, const Optio
   insert("{{report}}", escaped(report));
   insert("{{facts}}", escaped(facts(layout, options)));
   insert("{{buffers}}", to_buffers(layout));
-  insert("{{three}}", read_bytes(three_js));
+  insert("{{three}}", three_js());
   insert("{{js}}", page_js);
   return page.append(rest);
 }
