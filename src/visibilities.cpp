@@ -12,18 +12,3 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/visibilities.h>
-
-#include <CGAL/tags.h>
-
-namespace CGAL {
-namespace Surface_mesh_cutting {
-namespace internal {
-
-template std::optional<std::vector<double> > visibilities<Sequential_tag>(const Indexed_mesh&, const View&, Run_control&);
-#ifdef CGAL_LINKED_WITH_TBB
-template std::optional<std::vector<double> > visibilities<Parallel_tag>(const Indexed_mesh&, const View&, Run_control&);
-#endif
-
-} // namespace internal
-} // namespace Surface_mesh_cutting
-} // namespace CGAL

@@ -31,11 +31,7 @@ using CGAL::Surface_mesh_cutting::Chart_rotation;
 using CGAL::Surface_mesh_cutting::Effort;
 using CGAL::Surface_mesh_parameterization::internal::Triangle;
 
-#ifdef CGAL_LINKED_WITH_TBB
-using Tag = CGAL::Parallel_tag;
-#else
-using Tag = CGAL::Sequential_tag;
-#endif
+constexpr Execution execution = CGAL::internal::Graph_kernel::execution_of<CGAL::Parallel_if_available_tag>();
 
 std::vector<int> opposites(const std::vector<Triangle>& triangles)
 {
@@ -114,7 +110,7 @@ double fill_of_bitmap(const std::vector<Chart_outline>& outlines, double margin,
   const int size = int(std::floor((1 - 2 * margin) * texture_size));
   return largest_fill([&](double scale)
   {
-    const auto masks = chart_masks<Tag>(outlines, turns, scale * texture_size, margin * texture_size);
+    const auto masks = chart_masks(execution, outlines, turns, scale * texture_size, margin * texture_size);
     return bool(Grid_packing(masks, outlines, size).pack(strategy));
   });
 }
@@ -187,7 +183,7 @@ int main(int argc, char** argv)
     CGAL::Surface_mesh_cutting::internal::Run_control control;
     CGAL::Real_timer timer;
     timer.start();
-    const auto packed = Chart_packer<Tag>(outlines, margin, effort, Chart_rotation::ANY, control).pack();
+    const auto packed = Chart_packer(outlines, margin, effort, Chart_rotation::ANY, execution, control).pack();
     timer.stop();
     const double fills[4] = {fill_of_shelves(outlines, margin), fill_of_bitmap(outlines, margin, texture_size),
                              packed ? packed->scale * packed->scale : 0, limit_of_fill(outlines, margin)};

@@ -132,8 +132,9 @@ void evaluate(const Surface& surface, const std::vector<int>& features, const st
   Steiner::Options options;
   options.method = connections.at(connection);
   options.minimum_length_decrease = 0.01 * diagonal; // Table 1
-  const Internal::Connected_cut connected = Internal::connect_terminals<CGAL::Sequential_tag>(
-    mesh, Internal::unconstrained(mesh), features, options, [] { return true; });
+  const Internal::Connected_cut connected = Internal::connect_terminals(
+    mesh, Internal::unconstrained(mesh), features, options, CGAL::internal::Graph_kernel::Execution::SEQUENTIAL,
+    [] { return true; });
   const double connect_seconds = cpu_seconds() - start;
   Internal::Run_control control;
   const SMP::Solvers linear_solvers = SMP::default_solvers();

@@ -180,8 +180,8 @@ struct Filtering
   SMC::Cut cut;
 };
 
-template <typename ConcurrencyTag, typename Judge>
-void filter(const Filtering& f, Judge judge)
+template <typename Judge>
+void filter(const Filtering& f, SMC::Execution execution, Judge judge)
 {
   const SMC::Problem problem{f.mesh, f.shapes, SMC::unconstrained(f.mesh), f.terminals, SMC::Initial_cut(),
                              f.cut.empty()};
@@ -189,7 +189,7 @@ void filter(const Filtering& f, Judge judge)
   parameters.linear_solvers = std::make_shared<SMP::Solvers>(SMP::default_solvers());
   SMC::Run_control control;
   SMC::Phase_clock clock;
-  SMC::Greedy_filter<ConcurrencyTag> filter(problem, SMC::Context{parameters, control, clock});
+  SMC::Greedy_filter filter(problem, SMC::Context{parameters, control, clock, execution});
   check(f.cut.empty() ? filter.run(f.candidates) : filter.run_on_disk(f.cut, f.candidates), "filtering");
   judge(filter);
 }
@@ -215,12 +215,12 @@ void test_speculation(bool is_closed, CGAL::Random& random, int& decisions)
   for(int v = random.get_int(0, 20); v < mesh.number_of_vertices(); v += random.get_int(5, 25))
     f.candidates.push_back({v, random.get_double(0, 25) * SMC::average_edge_length(mesh)});
   f.terminals.push_back(f.candidates[f.candidates.size() / 2].vertex);
-  filter<CGAL::Sequential_tag>(f, [&](const auto& expected)
+  filter(f, SMC::Execution::SEQUENTIAL, [&](const auto& expected)
   {
     decisions += int(f.candidates.size());
     with_four_threads([&]
     {
-      filter<CGAL::Parallel_if_available_tag>(f, [&](const auto& found)
+      filter(f, SMP::execution_of<CGAL::Parallel_if_available_tag>(), [&](const auto& found)
       {
         check(found.features() == expected.features(), "the same features with several threads");
         check(std::equal(found.trade_offs().begin(), found.trade_offs().end(), expected.trade_offs().begin(),

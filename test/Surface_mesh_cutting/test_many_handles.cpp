@@ -69,7 +69,7 @@ void test_opening(CGAL::Random& random)
   CGAL::internal::Steiner_tree::Options options;
   options.method = CGAL::internal::Steiner_tree::Method::metric_closure;
   const Connected_cut connected
-    = connect_terminals<CGAL::Sequential_tag>(indexed, constraints, terminals, options, always_go_further);
+    = connect_terminals(indexed, constraints, terminals, options, Execution::SEQUENTIAL, always_go_further);
   assert(connected.status);
   assert(topology_of(indexed, connected.cut).is_disk());
 

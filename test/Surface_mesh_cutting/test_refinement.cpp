@@ -189,9 +189,9 @@ void test_distortion_tree(CGAL::Random& random)
   const int a = 0, b = mesh.number_of_vertices() / 2;
   const auto tree = [&](const std::vector<double>& distortion)
   {
-    return internal::distortion_tree<CGAL::Sequential_tag>(problem, {a, b}, distortion, energy, share,
-                                                           CGAL::internal::Steiner_tree::Options(),
-                                                           CGAL::internal::Graph_kernel::always_go_further);
+    return internal::distortion_tree(problem, {a, b}, distortion, energy, share,
+                                     CGAL::internal::Steiner_tree::Options(), internal::Execution::SEQUENTIAL,
+                                     CGAL::internal::Graph_kernel::always_go_further);
   };
   std::vector<double> distortion(mesh.number_of_vertices(), ideal);
   const double shortest = internal::cut_length(mesh, tree(distortion).cut);
@@ -216,9 +216,9 @@ void test_distortion_tree(CGAL::Random& random)
     if(v == a || v == b)
       continue;
     const internal::Cut detour
-      = internal::connect_terminals<CGAL::Sequential_tag>(mesh, problem.constraints, {a, v, b},
-                                                          CGAL::internal::Steiner_tree::Options(),
-                                                          CGAL::internal::Graph_kernel::always_go_further).cut;
+      = internal::connect_terminals(mesh, problem.constraints, {a, v, b}, CGAL::internal::Steiner_tree::Options(),
+                                    internal::Execution::SEQUENTIAL,
+                                    CGAL::internal::Graph_kernel::always_go_further).cut;
     check(lowered(way) <= lowered(detour) + 1e-9, "no detour is cheaper");
   }
 }

@@ -242,7 +242,7 @@ bool check_injective_regluing(const Indexed_mesh& mesh, bool has_weights, bool i
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Injective_cut cut{chart.cut, chart.chart, {chart.uv, infinity}, {}};
   std::vector<CGAL::Surface_mesh_cutting::Trade_off> seen;
-  const auto overlapping = Injective_regluer<CGAL::Sequential_tag>(problem, context, infinity)
+  const auto overlapping = Injective_regluer(problem, context, infinity)
                              .reglue(chart, parameters.maximum_average_distortion, true, cut, seen);
   check(overlapping.has_value() == (cut.cut != chart.cut), "another map for another cut only");
   check(!is_stopped || (!overlapping && seen.empty()), "a run that was stopped goes on");

@@ -160,8 +160,9 @@ connect_points(const TriangleMesh& tmesh, const VertexRange& points, EdgeIsCutMa
   {
     status.warnings = adapter.warnings();
     const internal::Indexed_mesh& mesh = adapter.mesh();
-    const internal::Connected_cut connected = internal::connect_indexed_points<ConcurrencyTag>(
-      mesh, constraints, internal::read_vertices(tmesh, adapter, points), parameters, control);
+    const internal::Connected_cut connected = internal::connect_indexed_points(
+      mesh, constraints, internal::read_vertices(tmesh, adapter, points), parameters,
+      Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>(), control);
     status.finding = control.is_stopped() ? internal::stopped_status().finding : connected.status.finding;
     if(connected.has_cut())
     {

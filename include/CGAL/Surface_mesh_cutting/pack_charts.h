@@ -157,8 +157,9 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
     const auto round = [make_uv](const Eigen::Vector2d& uv)
     { return Surface_mesh_parameterization::internal::to_vector_2(make_uv(uv)); };
     const internal::Corner_table chart = internal::make_chart(adapter.mesh(), adapter.read_cut(edge_is_cut_map));
-    const internal::Indexed_packing packing = internal::pack_indexed_charts<ConcurrencyTag>(
-      chart, adapter.read_uvs(halfedge_uv_map), parameters, round, control);
+    const internal::Indexed_packing packing = internal::pack_indexed_charts(
+      chart, adapter.read_uvs(halfedge_uv_map), parameters, round,
+      Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>(), control);
     status.finding = packing.status.finding;
     result.has_result = packing.has_result;
     if(result.has_result)

@@ -176,7 +176,8 @@ Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap
     if(!status)
       return status;
     const std::optional<std::vector<double> >
-      values = internal::visibilities<ConcurrencyTag>(adapter.mesh(), view, control);
+      values = internal::visibilities(adapter.mesh(), view,
+                                      Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>(), control);
     if(!values)
       return internal::stopped_status();
     for(const double value : *values)

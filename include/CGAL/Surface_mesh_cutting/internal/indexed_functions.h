@@ -61,17 +61,17 @@ CGAL_SURFACE_MESH_CUTTING_INLINE
 Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, bool do_weld, Execution execution);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
-template <typename ConcurrencyTag>
+CGAL_SURFACE_MESH_CUTTING_INLINE
 Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                              const Cutting_constraints& constraints, const Context& context);
 
 // Cuts the handles and then connects borders and terminals. The weight and its bound include those
 // of the mandatory edges.
-template <typename ConcurrencyTag>
+CGAL_SURFACE_MESH_CUTTING_INLINE
 Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
                                      const std::vector<int>& terminals, const Cutting_parameters& parameters,
-                                     const Go_further& go_further);
+                                     Execution execution, const Go_further& go_further);
 
 // Whether a chart consists of disks, and a map given by its corners is proven to be valid.
 CGAL_SURFACE_MESH_CUTTING_INLINE
@@ -83,11 +83,11 @@ Indexed_status measure_indexed_map(const Indexed_mesh& mesh, const Cut& cut,
                                    const std::vector<Eigen::Vector2d>& corner_uv, Distortion_measures& measures);
 
 // Moves the parts of a chart into the unit square. `round`: what becomes of a UV when it is handed out and read back.
-template <typename ConcurrencyTag>
+CGAL_SURFACE_MESH_CUTTING_INLINE
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
                                     const Packing_parameters& parameters,
                                     const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
-                                    Run_control& control);
+                                    Execution execution, Run_control& control);
 
 // Whether the parts of a flat chart lie in the unit square and apart.
 CGAL_SURFACE_MESH_CUTTING_INLINE
@@ -95,8 +95,9 @@ Indexed_status certify_indexed_packing(const Corner_table& chart, const std::vec
                                        const Packing_parameters& parameters);
 
 // The visibility of each edge, unless `control` ends the run. O(n k log n) for k rays on most surfaces.
-template <typename ConcurrencyTag>
-std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Run_control& control);
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Execution execution,
+                                                Run_control& control);
 
 } // namespace internal
 } // namespace Surface_mesh_cutting

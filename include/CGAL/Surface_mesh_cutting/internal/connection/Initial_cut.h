@@ -50,9 +50,8 @@ public:
 
   // Connects it, and the terminals, to a cut that leaves one disk: closed loops that would separate
   // the surface stay open at one edge.
-  template <typename ConcurrencyTag>
   Connected_cut connected(const Indexed_mesh& mesh, const Edge_constraints& constraints, std::vector<int> terminals,
-                          const Go_further& go_further) const
+                          Execution execution, const Go_further& go_further) const
   {
     const std::vector<char> is_reachable = reachable_vertices(mesh, constraints);
     for(int e = 0; e < mesh.number_of_edges(); ++e)
@@ -63,7 +62,7 @@ public:
     CGAL::internal::Graph_kernel::sort_unique(terminals);
     CGAL::internal::Steiner_tree::Options options;
     options.method = CGAL::internal::Steiner_tree::Method::shortest_path_heuristic;
-    return connect_terminals<ConcurrencyTag>(mesh, guide(constraints), terminals, options, go_further);
+    return connect_terminals(mesh, guide(constraints), terminals, options, execution, go_further);
   }
 
 private:

@@ -35,6 +35,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Execution;
 using CGAL::internal::Graph_kernel::Go_further;
 
 // Connects the borders and the terminals in each part of an opened surface by a Steiner tree in
@@ -67,9 +68,8 @@ public:
 
   // `options` and `go_further` are those of the Steiner tree solver, which begins with the known cut where that connects
   // a part.
-  template <typename ConcurrencyTag>
   Connected_cut connect(const std::vector<int>& terminals, const Options& options,
-                        const Go_further& go_further, const Cut& known)
+                        Execution execution, const Go_further& go_further, const Cut& known)
   {
     m_result.status = check_disks_can_be_reached(m_mesh, m_constraints);
     if(m_result.status)
@@ -83,8 +83,7 @@ public:
       return m_result;
     for(const Part& part : parts)
       add_tree(part, CGAL::internal::Steiner_tree::solve(part.graph, part.terminals, options,
-                                                         CGAL::internal::Graph_kernel::execution_of<ConcurrencyTag>(),
-                                                         go_further, connecting_edges(part, known)));
+                                                         execution, go_further, connecting_edges(part, known)));
     lengthen_short_borders();
     return m_result;
   }
@@ -268,13 +267,12 @@ private:
 // Adds the edges of least weight to the mandatory ones that connect, within each part, all borders
 // and all given vertices; a closed part needs two vertices. A part that is a disk without vertices
 // to connect stays as it is. A known cut that connects the vertices saves much time if it is short.
-template <typename ConcurrencyTag>
-Connected_cut connect_terminals(const Indexed_mesh& mesh, const Edge_constraints& constraints,
-                               const std::vector<int>& terminals,
-                               const CGAL::internal::Steiner_tree::Options& options,
-                               const Go_further& go_further, const Cut& known = Cut())
+inline Connected_cut connect_terminals(const Indexed_mesh& mesh, const Edge_constraints& constraints,
+                                       const std::vector<int>& terminals,
+                                       const CGAL::internal::Steiner_tree::Options& options, Execution execution,
+                                       const Go_further& go_further, const Cut& known = Cut())
 {
-  return Terminal_connector(mesh, constraints).connect<ConcurrencyTag>(terminals, options, go_further, known);
+  return Terminal_connector(mesh, constraints).connect(terminals, options, execution, go_further, known);
 }
 
 } // namespace internal

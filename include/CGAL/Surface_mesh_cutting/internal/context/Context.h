@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Phase_clock.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
@@ -29,6 +31,7 @@ struct Context
   const Cutting_parameters& parameters;
   Run_control& control;
   Phase_clock& clock;
+  Surface_mesh_parameterization::internal::Execution execution = Surface_mesh_parameterization::internal::Execution::SEQUENTIAL;
 };
 
 // Why there is no map.

@@ -53,7 +53,6 @@ struct Detected_features
 // 0 is treated as in the paper. Any other one is opened first, along loops that cut its handles
 // and a tree that connects these and its borders; the same is done with a cut that was given. That
 // leaves a disk, against which the candidates are judged.
-template <typename ConcurrencyTag>
 class Feature_detector
 {
 public:
@@ -102,9 +101,9 @@ private:
     {
       Connected_cut connection
         = m_problem.initial.is_given()
-        ? m_problem.initial.connected<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_control)
-        : connect_terminals<ConcurrencyTag>(m_mesh, m_problem.constraints, m_problem.terminals, m_parameters.connection,
-                                            m_control);
+        ? m_problem.initial.connected(m_mesh, m_problem.constraints, m_problem.terminals, m_context.execution, m_control)
+        : connect_terminals(m_mesh, m_problem.constraints, m_problem.terminals, m_parameters.connection,
+                                            m_context.execution, m_control);
       result.status = connection.status;
       if(!result.status)
         return {};
@@ -125,7 +124,7 @@ private:
     keep_connectable(candidates);
     if(is_closed())
       add_far_vertices(start, candidates);
-    Greedy_filter<ConcurrencyTag> filter(m_problem, m_context);
+    Greedy_filter filter(m_problem, m_context);
     if(is_closed() ? filter.run(candidates) : filter.run_on_disk(opening, candidates))
       result.features = filter.features();
     else

@@ -33,7 +33,6 @@ namespace internal {
 // Chooses among the candidates (paper, Section 3.1.2): one after the other is connected to the cut,
 // and stays if this lowers the distortion by more than epsilon_iso. Terminals stay in any case. No
 // forbidden edge is opened; candidates that only such edges lead to are passed over.
-template <typename ConcurrencyTag>
 class Greedy_filter
 {
 public:
@@ -41,7 +40,8 @@ public:
   Greedy_filter(const Problem& problem, const Context& context)
     : m_mesh(problem.mesh), m_constraints(problem.constraints), m_parameters(context.parameters),
       m_control(context.control), m_disks(problem.mesh), m_paths(problem.mesh.graph()),
-      m_maps(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.control),
+      m_maps(problem.mesh, problem.shapes, mapping_policy(context.parameters), context.execution,
+             context.control),
       m_is_on_cut(problem.mesh.number_of_vertices(), 0), m_is_terminal(problem.terminal_marks())
   {}
 
@@ -310,7 +310,7 @@ private:
   Run_control& m_control;
   Candidate_disks m_disks;
   Shortest_paths m_paths;
-  Speculative_map<ConcurrencyTag> m_maps;
+  Speculative_map m_maps;
   std::vector<char> m_is_on_cut, m_is_terminal; // per vertex
   std::vector<int> m_features;
   std::vector<Trade_off> m_trade_offs;

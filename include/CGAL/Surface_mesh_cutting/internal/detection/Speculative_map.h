@@ -30,21 +30,19 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using Surface_mesh_parameterization::internal::execution_of;
 
 // A running map to which slits are proposed one after the other. Most are rejected, which leaves the map
 // as it is; so, with several threads, further ones are tried meanwhile on copies of the map, as if those
 // before were rejected. A trial is abandoned once one before it turns out to be useful. The outcome is
 // that of one thread, to the last bit.
-template <typename ConcurrencyTag>
 class Speculative_map
 {
   static constexpr int none = (std::numeric_limits<int>::max)();
 
 public:
   Speculative_map(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Mapping_policy& policy,
-                  Run_control& control)
-    : m_control(control), m_trials(number_of_copies(), none)
+                  Execution execution, Run_control& control)
+    : m_execution(execution), m_control(control), m_trials(number_of_copies(execution), none)
   {
     for(std::size_t i = 0; i < m_trials.size(); ++i)
       m_copies.push_back(std::make_unique<Incremental_parameterization>(
@@ -71,7 +69,7 @@ public:
     std::fill(m_trials.begin(), m_trials.end(), none);
     int number_of_trials = 0;
     std::mutex mutex;
-    execute(execution_of<ConcurrencyTag>(), int(m_copies.size()), [&](int i)
+    execute(m_execution, int(m_copies.size()), [&](int i)
     {
       const auto next = [&]
       {
@@ -97,9 +95,9 @@ public:
 private:
   // More would bring little: the map must converge after each accepted slit before the next one can be
   // tried.
-  static std::size_t number_of_copies()
+  static std::size_t number_of_copies(Execution execution)
   {
-    return std::size_t((std::min)(number_of_threads(execution_of<ConcurrencyTag>()), 4));
+    return std::size_t((std::min)(number_of_threads(execution), 4));
   }
 
   // How many slits are tried per call: more than there are threads, since some are rejected long before
@@ -130,6 +128,7 @@ private:
     m_current = std::size_t(std::find(m_trials.begin(), m_trials.end(), m_first_useful) - m_trials.begin());
   }
 
+  const Execution m_execution;
   Run_control& m_control;
   std::vector<std::unique_ptr<Incremental_parameterization> > m_copies;
   std::size_t m_current = 0; // the copy that is the map

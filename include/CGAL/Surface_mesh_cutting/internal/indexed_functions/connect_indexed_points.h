@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-template <typename ConcurrencyTag>
+CGAL_SURFACE_MESH_CUTTING_INLINE
 Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
                                      const std::vector<int>& terminals, const Cutting_parameters& parameters,
-                                     const Go_further& go_further)
+                                     Execution execution, const Go_further& go_further)
 {
   Connected_cut result;
   result.status = check_no_edge_is_mandatory_and_forbidden(mesh, constraints);
@@ -42,7 +42,7 @@ Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints 
   constraints.mandatory = handles.cut;
   CGAL::internal::Steiner_tree::Options options = parameters.connection;
   options.minimum_length_decrease = parameters.minimum_length_decrease * bounding_box_diagonal(mesh);
-  result = connect_terminals<ConcurrencyTag>(mesh, constraints, terminals, options, go_further);
+  result = connect_terminals(mesh, constraints, terminals, options, execution, go_further);
   for(int e = 0; e < mesh.number_of_edges(); ++e)
     if(constraints.mandatory[e])
     {

@@ -21,12 +21,12 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-template <typename ConcurrencyTag>
+CGAL_SURFACE_MESH_CUTTING_INLINE
 Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                              const Cutting_constraints& constraints, const Context& context)
 {
-  return Mesh_cutter<ConcurrencyTag>(mesh, round, constraints, context).run(output);
+  return Mesh_cutter(mesh, round, constraints, context).run(output);
 }
 
 } // namespace internal

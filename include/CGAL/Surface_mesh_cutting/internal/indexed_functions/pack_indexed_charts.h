@@ -94,12 +94,12 @@ inline Indexed_status certify_rounded(const Corner_table& chart, const std::vect
   return status;
 }
 
-template <typename ConcurrencyTag>
+CGAL_SURFACE_MESH_CUTTING_INLINE
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
-                                    const Packing_parameters& parameters, const Round& round, Run_control& control)
+                                    const Packing_parameters& parameters, const Round& round, Execution execution,
+                                    Run_control& control)
 {
   constexpr double reserve = 1.002; // for rounding, of the margin
-  constexpr Execution execution = Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>();
   Indexed_packing packing;
   packing.status = certify_corners(chart, corner_uv, false, execution).status();
   if(!packing.status)
@@ -113,8 +113,8 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   const double factor = area > 0 ? 1 / std::sqrt(area) : 1;
   const std::vector<Chart_outline> outlines = chart_outlines(chart, parts, uv, factor);
   const std::optional<Packed_charts> packed
-    = pack_outlines<ConcurrencyTag>(outlines, reserve * parameters.margin.distance(), parameters.effort,
-                                    parameters.rotation, control);
+    = pack_outlines(outlines, reserve * parameters.margin.distance(), parameters.effort,
+                                    parameters.rotation, execution, control);
   if(!packed)
     packing.status = Indexed_status(Status_code::INFEASIBLE_CONSTRAINTS,
                                     "the margins around " + std::to_string(parts.number) + " charts leave no room for them");

@@ -25,15 +25,16 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-template <typename ConcurrencyTag>
-std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Run_control& control)
+CGAL_SURFACE_MESH_CUTTING_INLINE
+std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Execution execution,
+                                                Run_control& control)
 {
   constexpr int edges_per_question = 16; // well below a millisecond for each thread
   if(!control.go_further())
     return std::nullopt;
   const Visibility visibility(mesh, view);
   std::vector<double> result(mesh.number_of_edges());
-  execute(execution_of<ConcurrencyTag>(), mesh.number_of_edges(), [&](int e) {
+  execute(execution, mesh.number_of_edges(), [&](int e) {
     if(e % edges_per_question == 0)
       control.go_further();
     if(!control.is_stopped())

@@ -42,15 +42,15 @@ namespace internal {
 // it. Where no chart touches the margin of another one, distances are kept for sure, and not only between cells. The
 // scale grows as long as one of several strategies finds places for all charts. Coarse grids are used first; after them,
 // still finer ones if there are many charts; up to a thousand then grow off any grid.
-template <typename ConcurrencyTag>
 class Chart_packer
 {
 public:
   // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square.
   // `rotation` is a decided one. References are kept.
   Chart_packer(const std::vector<Chart_outline>& outlines, double margin, Effort effort, Chart_rotation rotation,
-               Run_control& control)
-    : m_outlines(outlines), m_margin(margin), m_effort(effort), m_rotation(rotation), m_control(control)
+               Execution execution, Run_control& control)
+    : m_outlines(outlines), m_margin(margin), m_effort(effort), m_rotation(rotation), m_execution(execution),
+      m_control(control)
   {}
 
   // None if no scale was found at which the margins leave room. A run that is ended keeps what it found first.
@@ -150,7 +150,7 @@ private:
     }
     const int number = m_rotation == Chart_rotation::QUARTER ? 2 : int(m_outlines.size()) <= several ? 8 : are_many() ? 2 : 4;
     m_turns.resize(m_outlines.size());
-    execute(execution_of<ConcurrencyTag>(), int(m_outlines.size()), [&](int i)
+    execute(m_execution, int(m_outlines.size()), [&](int i)
     {
       const double first = m_rotation == Chart_rotation::QUARTER ? alignment_angle(m_outlines[i])
                                                                  : smallest_box_angle(m_outlines[i]);
@@ -263,7 +263,7 @@ private:
   {
     std::vector<std::optional<Rigid_chart> > built(m_outlines.size());
     const double reach = Off_grid_growth::reach(m_margin, m_best->scale);
-    execute(execution_of<ConcurrencyTag>(), int(m_outlines.size()), [&](int i)
+    execute(m_execution, int(m_outlines.size()), [&](int i)
     { built[i].emplace(simplified_outline(m_outlines[i].segments, Off_grid_growth::tolerance), reach, m_rotation); });
     std::vector<Rigid_chart> charts;
     for(std::optional<Rigid_chart>& chart : built)
@@ -279,11 +279,11 @@ private:
       return false;
     const Go_further go_further = m_best ? Go_further(m_control) : always_go_further; // the first place is needed in any case
     const std::vector<Chart_masks> masks
-      = chart_masks<ConcurrencyTag>(m_outlines, m_turns, scale * resolution, m_margin * resolution,
+      = chart_masks(m_execution, m_outlines, m_turns, scale * resolution, m_margin * resolution,
                                     m_rotation != Chart_rotation::NONE);
     using Places = std::optional<std::vector<Grid_place> >;
     std::vector<Places> found(m_strategies.size());
-    execute(execution_of<ConcurrencyTag>(), int(m_strategies.size()), [&](int i)
+    execute(m_execution, int(m_strategies.size()), [&](int i)
     {
       if(go_further())
         found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i], go_further);
@@ -321,6 +321,7 @@ private:
   const double m_margin;
   const Effort m_effort;
   const Chart_rotation m_rotation;
+  const Execution m_execution;
   Run_control& m_control;
   std::vector<std::vector<double> > m_turns; // angles
   std::vector<Packing_strategy> m_strategies;

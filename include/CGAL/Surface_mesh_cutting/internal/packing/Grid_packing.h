@@ -31,7 +31,6 @@ namespace internal {
 
 using CGAL::internal::Graph_kernel::Execution;
 using CGAL::internal::Graph_kernel::execute;
-using CGAL::internal::Graph_kernel::execution_of;
 
 using CGAL::internal::Graph_kernel::Go_further;
 using CGAL::internal::Graph_kernel::always_go_further;
@@ -52,12 +51,12 @@ struct Packing_strategy
 
 using Chart_masks = std::vector<Chart_mask>; // for each turn of a chart one or, the second upside down, two
 
-template <typename ConcurrencyTag>
-std::vector<Chart_masks> chart_masks(const std::vector<Chart_outline>& outlines, const std::vector<std::vector<double> >& turns,
-                                     double factor, double margin, bool with_upside_down = true)
+inline std::vector<Chart_masks> chart_masks(Execution execution, const std::vector<Chart_outline>& outlines,
+                                            const std::vector<std::vector<double> >& turns, double factor, double margin,
+                                            bool with_upside_down = true)
 {
   std::vector<Chart_masks> masks(outlines.size());
-  execute(execution_of<ConcurrencyTag>(), int(outlines.size()), [&](int i)
+  execute(execution, int(outlines.size()), [&](int i)
   {
     masks[i].reserve(2 * turns[i].size());
     for(const double angle : turns[i])

@@ -40,9 +40,8 @@ inline bool is_rectilinear(const std::vector<Chart_outline>& outlines)
 
 // The charts aligned with the axes, unless turning them anyhow fills more by more than 3 %. Up to a hundred charts are
 // packed both ways; more of them on grids only, since what follows takes most of the time.
-template <typename ConcurrencyTag>
-std::optional<Packed_charts> pack_aligned_if_cheap(const std::vector<Chart_outline>& outlines, double margin,
-                                                   Effort effort, Run_control& control)
+inline std::optional<Packed_charts> pack_aligned_if_cheap(const std::vector<Chart_outline>& outlines, double margin,
+                                                   Effort effort, Execution execution, Run_control& control)
 {
   constexpr int few = 100;
   constexpr double aligned_share = 0.5; // of the time
@@ -54,8 +53,8 @@ std::optional<Packed_charts> pack_aligned_if_cheap(const std::vector<Chart_outli
   };
   Run_control first([&control] { return control.go_further(); }, part(0, aligned_share));
   Run_control second([&control] { return control.go_further(); }, part(aligned_share, 1));
-  Chart_packer<ConcurrencyTag> aligned_packer(outlines, margin, effort, Chart_rotation::QUARTER, first);
-  Chart_packer<ConcurrencyTag> packer(outlines, margin, effort, Chart_rotation::ANY, second);
+  Chart_packer aligned_packer(outlines, margin, effort, Chart_rotation::QUARTER, execution, first);
+  Chart_packer packer(outlines, margin, effort, Chart_rotation::ANY, execution, second);
 
   const std::optional<Packed_charts> aligned = are_few ? aligned_packer.pack() : aligned_packer.pack_on_grids();
   const bool is_enough = is_rectilinear(outlines) || (aligned && is_nearly_as_large(aligned->scale, packer.largest_scale()));
@@ -68,13 +67,13 @@ std::optional<Packed_charts> pack_aligned_if_cheap(const std::vector<Chart_outli
 }
 
 // Packs charts into the unit square; see `Chart_packer`.
-template <typename ConcurrencyTag>
-std::optional<Packed_charts> pack_outlines(const std::vector<Chart_outline>& outlines, double margin, Effort effort,
-                                           Chart_rotation rotation, Run_control& control)
+inline std::optional<Packed_charts> pack_outlines(const std::vector<Chart_outline>& outlines, double margin, Effort effort,
+                                           Chart_rotation rotation, Execution execution,
+                                           Run_control& control)
 {
   if(rotation == Chart_rotation::AUTOMATIC)
-    return pack_aligned_if_cheap<ConcurrencyTag>(outlines, margin, effort, control);
-  return Chart_packer<ConcurrencyTag>(outlines, margin, effort, rotation, control).pack();
+    return pack_aligned_if_cheap(outlines, margin, effort, execution, control);
+  return Chart_packer(outlines, margin, effort, rotation, execution, control).pack();
 }
 
 } // namespace internal

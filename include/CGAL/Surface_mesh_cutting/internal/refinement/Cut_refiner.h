@@ -48,7 +48,6 @@ struct Refinement_limits
 // Improves a connected cut under the measure of its own map: slits are opened until the distortion
 // is as low as asked for, and pieces that contribute little for their length are dropped. Every
 // state is a valid cut with a flip-free map.
-template <typename ConcurrencyTag>
 class Cut_refiner
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -87,7 +86,7 @@ public:
   // Replaces the tree by another cut through the features, and its map.
   void replace_tree(Open_chart chart) { m_cut.replace(std::move(chart)); }
 
-  const Working_cut<ConcurrencyTag>& cut() const { return m_cut; }
+  const Working_cut& cut() const { return m_cut; }
 
   // Opens slits until the energy is at most `bound`, each the one with the best gain per cost, as
   // long as that is more than `least_gain`. The tree through all points is shorter than the cut with
@@ -161,7 +160,7 @@ public:
     constexpr int patience = 2;                   // rounds without a gain
     const double bound = m_parameters.maximum_average_distortion;
     Mapped_cut best = m_cut.state();
-    End_search<ConcurrencyTag> search(m_problem, m_parameters, keeps_tree, m_cut);
+    End_search search(m_problem, m_parameters, keeps_tree, m_cut);
     search.drop_inner_features();
     int number_of_failures = 0, number_of_rounds = 0;
     for(double step : steps)
@@ -337,7 +336,7 @@ private:
   const Cutting_parameters& m_parameters;
   Slit_search m_slits;
   Branch_removal_search m_removals;
-  Working_cut<ConcurrencyTag> m_cut;
+  Working_cut m_cut;
   int m_solves_left = 0;
 };
 

@@ -36,7 +36,6 @@ namespace internal {
 // instead. The outer part of the branch is closed, and windows around slits to other ends tell what each of them would
 // gain, relative to what closing has cost. The ways between the ends move to where the map is distorted. The cut stays
 // near a bound of the energy, above or below it.
-template <typename ConcurrencyTag>
 class End_search
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -46,7 +45,7 @@ class End_search
 public:
   // The references are kept. `keeps_tree`: see `Refinement_limits`.
   End_search(const Problem& problem, const Cutting_parameters& parameters, bool keeps_tree,
-             Working_cut<ConcurrencyTag>& cut)
+             Working_cut& cut)
     : m_problem(problem), m_mesh(problem.mesh), m_parameters(parameters), m_keeps_tree(keeps_tree), m_cut(cut),
       m_removals(problem.mesh, problem.constraints), m_slits(problem.mesh, problem.constraints),
       m_cost_at_bound(parameters.maximum_average_distortion)
@@ -227,7 +226,7 @@ private:
   const Indexed_mesh& m_mesh;
   const Cutting_parameters& m_parameters;
   const bool m_keeps_tree;
-  Working_cut<ConcurrencyTag>& m_cut;
+  Working_cut& m_cut;
   Branch_removal_search m_removals;
   Slit_search m_slits;
   Length_at_bound m_cost_at_bound;

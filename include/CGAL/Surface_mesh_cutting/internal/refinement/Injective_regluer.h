@@ -32,10 +32,9 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // Lets the parts of a chart lie elsewhere where they are in each other's way, see `Chart_regluing`, for maps without overlaps.
-template <typename ConcurrencyTag>
 class Injective_regluer
 {
-  using Refiner = Cut_refiner<ConcurrencyTag>;
+  using Refiner = Cut_refiner;
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
   static constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -50,7 +50,6 @@ struct Mapped_cut
 
 // A mapped cut in work: its pieces are opened and closed, and its features connected anew. Each state is a valid cut
 // with a flip-free map, and can be kept and restored.
-template <typename ConcurrencyTag>
 class Working_cut
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -88,7 +87,7 @@ public:
 
   void connect(const CGAL::internal::Steiner_tree::Options& options)
   {
-    m_tree = connect_terminals<ConcurrencyTag>(m_problem.mesh, m_problem.constraints, m_features, options, m_context.control,
+    m_tree = connect_terminals(m_problem.mesh, m_problem.constraints, m_features, options, m_context.execution, m_context.control,
                                                cut());
     m_is_connected = true;
     m_cost = cut_cost(m_problem.constraints, m_tree.cut);
@@ -106,8 +105,8 @@ public:
   bool reroute(double share)
   {
     const Connected_cut other
-      = distortion_tree<ConcurrencyTag>(m_problem, m_features, vertex_distortion(), energy(), share,
-                                        m_context.parameters.connection_while_refining(), m_context.control);
+      = distortion_tree(m_problem, m_features, vertex_distortion(), energy(), share,
+                                        m_context.parameters.connection_while_refining(), m_context.execution, m_context.control);
     if(!other.status || other.cut == cut())
       return false;
     m_is_connected = false;

@@ -29,10 +29,10 @@ namespace internal {
 // The cheapest tree through these points if a way costs less where the map is distorted, by this share for a place as
 // distorted as the surface is on average. It is somewhat longer than the shortest one, but a cut lowers the distortion
 // all along its way. `distortion`: per vertex; `energy`: its average.
-template <typename ConcurrencyTag>
-Connected_cut distortion_tree(const Problem& problem, const std::vector<int>& points, const std::vector<double>& distortion,
-                              double energy, double share, const CGAL::internal::Steiner_tree::Options& options,
-                              const Go_further& go_further)
+inline Connected_cut distortion_tree(const Problem& problem, const std::vector<int>& points,
+                                     const std::vector<double>& distortion, double energy, double share,
+                                     const CGAL::internal::Steiner_tree::Options& options, Execution execution,
+                                     const Go_further& go_further)
 {
   constexpr double ideal = Surface_mesh_parameterization::internal::Symmetric_Dirichlet_energy::ideal;
   constexpr double least_excess = 1e-6; // of a surface that is distorted at all
@@ -45,7 +45,7 @@ Connected_cut distortion_tree(const Problem& problem, const std::vector<int>& po
     const double excess = (std::max)(0., (distortion[mesh.source(h)] + distortion[mesh.target(h)]) / 2 - ideal);
     constraints.weights[e] /= 1 + share * excess / average_excess;
   }
-  return connect_terminals<ConcurrencyTag>(mesh, constraints, points, options, go_further);
+  return connect_terminals(mesh, constraints, points, options, execution, go_further);
 }
 
 } // namespace internal

@@ -43,8 +43,7 @@ struct Refinement_goal
 
 // The first part of refine() where ends move at a bound. It takes about a third of the time, and tells which of several
 // cuts are worth the rest. False if the bound is not reached.
-template <typename ConcurrencyTag>
-bool prepare_to_move_ends(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal)
+inline bool prepare_to_move_ends(Cut_refiner& refiner, const Refinement_goal& goal)
 {
   if(!refiner.reduce_distortion_to(goal.bound))
     return false;
@@ -57,8 +56,7 @@ bool prepare_to_move_ends(Cut_refiner<ConcurrencyTag>& refiner, const Refinement
 }
 
 // Where edges have weights, cheap slits make room for the loss of expensive branches, whose ends move.
-template <typename ConcurrencyTag>
-void use_cheap_places(Cut_refiner<ConcurrencyTag>& refiner, Refinement_limits limits, double energy_per_cost)
+inline void use_cheap_places(Cut_refiner& refiner, Refinement_limits limits, double energy_per_cost)
 {
   constexpr int number_of_branches = 2; // whose ends move
   limits.energy_per_cost = energy_per_cost;
@@ -68,8 +66,7 @@ void use_cheap_places(Cut_refiner<ConcurrencyTag>& refiner, Refinement_limits li
 
 // Lowers the energy to the bound if there is one, then shortens, and moves ends on request. Without a bound, what the
 // tree through the features loses against the filter's cut, or a given one, is gained back where it pays.
-template <typename ConcurrencyTag>
-void refine(Cut_refiner<ConcurrencyTag>& refiner, const Refinement_goal& goal, const Cutting_parameters& parameters)
+inline void refine(Cut_refiner& refiner, const Refinement_goal& goal, const Cutting_parameters& parameters)
 {
   Refinement_limits limits;
   limits.keeps_tree = goal.keeps_tree;

@@ -34,12 +34,10 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using Surface_mesh_parameterization::internal::execution_of;
 
 // The whole method for one connected surface (paper, Section 3): handles, features, connection and,
 // on request, refinement and UVs. The features of a large surface are found on a coarser version
 // of it, at a cost that no longer grows with the surface, and connected on the surface itself.
-template <typename ConcurrencyTag>
 class Component_cutter
 {
 public:
@@ -51,14 +49,14 @@ public:
   Component_result detect()
   {
     Component_result result;
-    result.status = open_handles<ConcurrencyTag>(m_problem, m_context);
+    result.status = open_handles(m_problem, m_context);
     if(!result.status)
       return result;
     Cutting_parameters parameters = m_context.parameters;
     parameters.number_of_starts = 1; // what is asked for is what the paper detects
     parameters = parameters.adapted_to_size(m_problem.mesh.number_of_faces());
     Detected_features detected
-      = detect_features<ConcurrencyTag>(m_problem, 0, Context{parameters, m_context.control, m_context.clock});
+      = detect_features(m_problem, 0, Context{parameters, m_context.control, m_context.clock, m_context.execution});
     result.status = detected.status;
     result.number_of_candidates = detected.number_of_candidates;
     result.features = std::move(detected.features);
@@ -72,7 +70,7 @@ public:
     const bool has_seeds = m_problem.is_sphere && !m_problem.initial.is_given(); // that lead to other first cuts
     std::vector<Cutting_parameters> runs = portfolio(m_context.parameters, has_seeds);
     Component_result failed;
-    failed.status = open_handles<ConcurrencyTag>(m_problem, m_context);
+    failed.status = open_handles(m_problem, m_context);
     if(!failed.status)
       return failed;
     std::vector<Component_result> results;
@@ -112,7 +110,7 @@ public:
   // What is returned of a stopped run that found no map, or no cut if that is what is asked for.
   Component_result completed_early(Component_result found, bool needs_map) const
   {
-    complete_early<ConcurrencyTag>(m_problem, needs_map, m_context.control, found);
+    complete_early(m_problem, needs_map, m_context, found);
     return found;
   }
 
@@ -131,7 +129,7 @@ private:
   {
     const Context context{m_context.parameters, control, m_context.clock};
     std::vector<Component_result> results;
-    const Several_starts<ConcurrencyTag> several(m_problem, context);
+    const Several_starts several(m_problem, context);
     const bool finishes_several = has_seeds && several.serve(parameters);
     std::vector<unsigned int> seeds = finishes_several ? several.seeds(parameters.random_seed)
                                                        : seeds_of_compared_starts(m_problem, parameters);
@@ -141,7 +139,7 @@ private:
       return results;
     if(finishes_several)
       return several.run(parameters);
-    results.push_back(Start_run<ConcurrencyTag>(m_problem, parameters, context)(0, needs_map, done.features));
+    results.push_back(Start_run(m_problem, parameters, context)(0, needs_map, done.features));
     done.features.push_back(results.front().detected_features);
     return results;
   }
@@ -150,18 +148,18 @@ private:
   void add_further_runs(const std::vector<Cutting_parameters>& further, const Done& done,
                         std::vector<Component_result>& results) const
   {
-    std::deque<Start_run<ConcurrencyTag>> runs; // which do not move
+    std::deque<Start_run> runs; // which do not move
     for(const Cutting_parameters& parameters : further)
       runs.emplace_back(m_problem, parameters, m_context);
     std::vector<Detected_features> detected(runs.size());
-    execute(execution_of<ConcurrencyTag>(), int(runs.size()), [&](int i)
+    execute(m_context.execution, int(runs.size()), [&](int i)
     {
       if(m_context.control.go_further())
         detected[i] = runs[i].detect(0);
     });
     const std::vector<int> others = places_of_other_features(detected, done.features);
     std::vector<Component_result> found(others.size());
-    execute(execution_of<ConcurrencyTag>(), int(others.size()), [&](int i)
+    execute(m_context.execution, int(others.size()), [&](int i)
     {
       const int place = others[i];
       if(m_context.control.go_further())
@@ -185,9 +183,9 @@ private:
       Problem problem = m_problem;
       problem.constraints.mandatory = Cut(m_problem.mesh.number_of_edges(), 0); // other loops may follow that cut
       problem.initial = Initial_cut(best.cut);
-      if(!open_handles<ConcurrencyTag>(problem, m_context))
+      if(!open_handles(problem, m_context))
         return;
-      Component_result next = Start_run<ConcurrencyTag>(problem, parameters, m_context)(0, true);
+      Component_result next = Start_run(problem, parameters, m_context)(0, true);
       const bool goes_on = next.has_map && is_better(next, best);
       if(next.has_cut)
         results.push_back(std::move(next));
@@ -201,7 +199,7 @@ private:
   {
     if(!m_context.control.go_further())
       return;
-    for(Component_result& result : Start_run<ConcurrencyTag>(m_problem, m_context.parameters, m_context).from_given_cut())
+    for(Component_result& result : Start_run(m_problem, m_context.parameters, m_context).from_given_cut())
     {
       if(!results.empty())
         result.number_of_candidates = results.front().number_of_candidates;

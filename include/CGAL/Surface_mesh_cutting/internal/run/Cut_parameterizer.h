@@ -41,10 +41,8 @@ namespace internal {
 
 // Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, parts are glued
 // elsewhere, slits let them turn aside, or seams divide several charts.
-template <typename ConcurrencyTag>
 class Cut_parameterizer
 {
-  using Working_cut = internal::Working_cut<ConcurrencyTag>;
 
 public:
   // The references are kept.
@@ -108,7 +106,7 @@ public:
     if(!result.has_map || result.energy <= goal)
       return std::nullopt;
     Injective_cut injective = injective_cut(result);
-    std::optional<Open_chart> rearranged = Injective_regluer<ConcurrencyTag>(m_problem, m_context, hopeless)
+    std::optional<Open_chart> rearranged = Injective_regluer(m_problem, m_context, hopeless)
                                              .reglue(overlapping, goal, shortens, injective, result.trade_offs);
     if(rearranged)
     {
@@ -149,7 +147,7 @@ public:
   {
     constexpr double step = 0.1; // of the length of the cut
     Working_cut cut(m_problem, m_context);
-    End_search<ConcurrencyTag> search(m_problem, m_context.parameters, false, cut);
+    End_search search(m_problem, m_context.parameters, false, cut);
     if(!search.can_move() || !cut.start_injectively(injective_cut(result)))
       return false;
     search.reroute();

@@ -32,7 +32,6 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using Surface_mesh_parameterization::internal::execution_of;
 
 // Whether features come from several starts. A given cut, or the paper, says where to begin.
 inline bool searches(const Problem& problem, const Cutting_parameters& parameters)
@@ -44,10 +43,9 @@ inline bool searches(const Problem& problem, const Cutting_parameters& parameter
 // the problem's surface, each on one of another size, which changes more than another first cut does. Their cuts are
 // mapped on the surface itself; only those that promise most are worth many solves. On request, cuts through the
 // features of the best and those of others follow, from which refinement removes what is not needed.
-template <typename ConcurrencyTag>
 class Cut_search
 {
-  using Refiner = Cut_refiner<ConcurrencyTag>;
+  using Refiner = Cut_refiner;
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -62,7 +60,7 @@ public:
   Detected_features run(int first_start)
   {
     std::vector<Found> found(m_parameters.number_of_starts);
-    execute(execution_of<ConcurrencyTag>(), int(found.size()), [&](int i)
+    execute(m_context.execution, int(found.size()), [&](int i)
     {
       if(m_control.go_further())
         found[i] = find(first_start + i, i);
@@ -110,8 +108,8 @@ private:
     Run_control control(m_control, Run_control::share_of_detection() / m_parameters.number_of_starts);
     const Context context{parameters, control, m_context.clock};
     if(place == 0 || !is_coarsened(m_problem, parameters)) // one start at least sees all details
-      return refined_features<ConcurrencyTag>(m_problem, start, context);
-    return rough_features<ConcurrencyTag>(m_problem, coarser_version(m_problem, context), start, context);
+      return refined_features(m_problem, start, context);
+    return rough_features(m_problem, coarser_version(m_problem, context), start, context);
   }
 
   // Between 0.7 and 1.4, evenly spread however many there are.
@@ -200,7 +198,7 @@ private:
     const int number_of_finalists = (std::min)(is_bounded ? finalists_with_bound : 1, int(found.size()));
     std::vector<Refiner> refiners(number_of_finalists, Refiner(m_problem, m_context));
     std::vector<Found> finalists(number_of_finalists);
-    execute(execution_of<ConcurrencyTag>(), number_of_finalists, [&](int i)
+    execute(m_context.execution, number_of_finalists, [&](int i)
     {
       if(found[i].cost < infinity)
         finalists[i] = refined(refiners[i], found[i].detected.features,

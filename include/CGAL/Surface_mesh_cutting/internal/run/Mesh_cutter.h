@@ -48,7 +48,6 @@ using Surface_mesh_parameterization::internal::execute_both;
 
 // Runs the method on each component that the mandatory edges leave and puts the parts together. What
 // is mandatory is opened first: it is border from then on, which the connection takes for connected.
-template <typename ConcurrencyTag>
 class Mesh_cutter
 {
 public:
@@ -64,7 +63,7 @@ public:
     result.status = check_constraints();
     const Cut& mandatory = m_constraints.edges.mandatory;
     std::vector<Indexed_component> components;
-    execute_both(execution, [&] { describe_topology(result); }, [&]
+    execute_both(m_context.execution, [&] { describe_topology(result); }, [&]
     {
       if(result.status)
         components = split_along(m_mesh, mandatory);
@@ -149,7 +148,7 @@ private:
   {
     std::vector<Component_result> parts(components.size());
     std::atomic<int> first_failure(int(components.size()));
-    execute(execution_of<ConcurrencyTag>(), int(components.size()), [&](int i)
+    execute(m_context.execution, int(components.size()), [&](int i)
     {
       if(i > first_failure)
         return;
@@ -182,13 +181,13 @@ private:
       parameters.adapt_to_weights();
     const Indexed_mesh& mesh = component.mesh;
     Problem problem{mesh,
-                    Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points(), execution),
+                    Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points(), m_context.execution),
                     std::move(constraints),
                     std::move(terminals),
                     Initial_cut(component.restriction(m_constraints.initial)),
                     component.topology.genus() == 0 && component.topology.border_loops == 0, many_handles};
     Run_control control(m_context.control, double(mesh.number_of_faces()) / m_mesh.number_of_faces());
-    Component_cutter<ConcurrencyTag> cutter(std::move(problem), Context{parameters, control, m_context.clock});
+    Component_cutter cutter(std::move(problem), Context{parameters, control, m_context.clock});
     const bool needs_map = output == Output_kind::MAP;
     part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(needs_map);
     if(output != Output_kind::FEATURES && !has_result(part, output) && completes_early())
@@ -269,7 +268,8 @@ private:
     Certified_map map;
     for(const bool do_align : {true, false})
     {
-      map = certified_map(chart, side_by_side(chart, uv, do_align), m_context.parameters.do_bijective, m_round, execution);
+      map = certified_map(chart, side_by_side(chart, uv, do_align), m_context.parameters.do_bijective, m_round,
+                          m_context.execution);
       if(map.certificate)
         break;
     }
@@ -281,13 +281,13 @@ private:
   void certify(Mesh_result& result) const
   {
     const bool do_bijective = m_context.parameters.do_bijective;
-    const Map_measures measures(m_mesh.triangles(), m_mesh.points(), result.chart.triangles(), execution);
+    const Map_measures measures(m_mesh.triangles(), m_mesh.points(), result.chart.triangles(), m_context.execution);
     const double scale = measures.best_scale(result.uv);
     for(Eigen::Vector2d& u : result.uv)
       u *= scale;
     Certified_map map;
     Indexed_status disks;
-    execute_both(execution, [&] { disks = check_disks(result.chart); },
+    execute_both(m_context.execution, [&] { disks = check_disks(result.chart); },
                  [&] { map = held_map(result.chart, result.uv); });
     result.uv = std::move(map.uv);
     result.flips = map.certificate.flips;
@@ -332,9 +332,6 @@ private:
     else
       finding = bound_missed(result.average_energy, m_context.parameters.maximum_average_distortion).finding;
   }
-
-  static constexpr Surface_mesh_parameterization::internal::Execution execution
-    = Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>();
 
   const Indexed_mesh& m_mesh;
   const Round m_round;

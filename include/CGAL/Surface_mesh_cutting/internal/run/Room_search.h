@@ -33,10 +33,9 @@ namespace internal {
 // A map without overlaps may miss a bound that the map with overlaps keeps; then the cut has to make room. Parts that are in
 // each other's way are glued elsewhere, slits let them turn aside, seams divide several charts; and since cuts of about the
 // same length can be rearranged to charts that need far more room or far less, longer ones are rearranged as well.
-template <typename ConcurrencyTag>
 class Room_search
 {
-  using Refiner = Cut_refiner<ConcurrencyTag>;
+  using Refiner = Cut_refiner;
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal, infinity = std::numeric_limits<double>::infinity();
   static constexpr double share_before_longer_cuts = 0.5; // of the work for room, to show
@@ -44,7 +43,7 @@ class Room_search
 
 public:
   // The references are kept. `moves_ends`: whether the ends of cuts that have room are moved, if the effort says so.
-  Room_search(const Problem& problem, const Context& context, const Cut_parameterizer<ConcurrencyTag>& parameterizer,
+  Room_search(const Problem& problem, const Context& context, const Cut_parameterizer& parameterizer,
               bool moves_ends)
     : m_problem(problem), m_context(context), m_parameters(context.parameters), m_parameterizer(parameterizer),
       m_bound(m_parameters.maximum_average_distortion), m_moves_ends(moves_ends && m_parameters.moves_ends)
@@ -250,7 +249,7 @@ private:
   const Problem& m_problem;
   const Context m_context;
   const Cutting_parameters& m_parameters;
-  const Cut_parameterizer<ConcurrencyTag>& m_parameterizer;
+  const Cut_parameterizer& m_parameterizer;
   const double m_bound;
   const bool m_moves_ends;
 };

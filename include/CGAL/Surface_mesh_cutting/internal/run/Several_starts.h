@@ -31,7 +31,6 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using Surface_mesh_parameterization::internal::execution_of;
 
 // Of those that were detected: where each set of features comes first, without the known ones.
 inline std::vector<int> places_of_other_features(const std::vector<Detected_features>& detected,
@@ -50,10 +49,9 @@ inline std::vector<int> places_of_other_features(const std::vector<Detected_feat
 
 // Many starts of a small surface at a bound, of which the most promising are finished: what a cut costs when it has come
 // to the bound tells much about what it will cost, and is known after a third of the time.
-template <typename ConcurrencyTag>
 class Several_starts
 {
-  using Run = Start_run<ConcurrencyTag>;
+  using Run = Start_run;
   using Begun = typename Run::Begun;
 
 public:
@@ -97,7 +95,7 @@ public:
       costs.push_back(expected_cost(start));
     const std::vector<int> order = CGAL::internal::Graph_kernel::ascending_places(costs);
     std::vector<Component_result> results((std::min)(int(order.size()), number_of_finalists));
-    execute(execution_of<ConcurrencyTag>(), int(results.size()), [&](int i)
+    execute(m_context.execution, int(results.size()), [&](int i)
     {
       if(i == 0 || m_context.control.go_further())
         results[i] = runs[order[i]].finished(std::move(starts[order[i]]));
@@ -129,7 +127,7 @@ private:
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if(!start.refiner)
       return infinity;
-    const Working_cut<ConcurrencyTag>& cut = start.refiner->cut();
+    const Working_cut& cut = start.refiner->cut();
     if(m_context.control.is_stopped() && m_context.parameters.excess(cut.energy()) > 0)
       return std::numeric_limits<double>::max();
     return Length_at_bound(m_context.parameters.maximum_average_distortion)(cut.cost(), cut.energy());
@@ -155,9 +153,9 @@ private:
     };
     detect(0);
     prepare(0);
-    execute(execution_of<ConcurrencyTag>(), int(runs.size()) - 1, [&](int i) { detect(i + 1); });
+    execute(m_context.execution, int(runs.size()) - 1, [&](int i) { detect(i + 1); });
     const std::vector<int> others = places_of_other_features(detected, {detected[0].features});
-    execute(execution_of<ConcurrencyTag>(), int(others.size()), [&](int i) { prepare(others[i]); });
+    execute(m_context.execution, int(others.size()), [&](int i) { prepare(others[i]); });
     return starts;
   }
 

@@ -30,10 +30,9 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // Detects, connects, refines and parameterizes a surface without handles, from one start.
-template <typename ConcurrencyTag>
 class Start_run
 {
-  using Refiner = Cut_refiner<ConcurrencyTag>;
+  using Refiner = Cut_refiner;
 
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
 
@@ -68,7 +67,7 @@ public:
     return finished(begun(std::move(detected), needs_map));
   }
 
-  Detected_features detect(int start) const { return detect_features<ConcurrencyTag>(m_problem, start, m_context); }
+  Detected_features detect(int start) const { return detect_features(m_problem, start, m_context); }
 
   // Connects the features and maps the cut.
   Begun begun(Detected_features detected, bool needs_map) const
@@ -122,8 +121,8 @@ public:
   std::vector<Component_result> from_given_cut() const
   {
     std::vector<Component_result> results;
-    const Connected_cut given = m_problem.initial.template connected<ConcurrencyTag>(m_problem.mesh, m_problem.constraints,
-                                                                                     m_problem.terminals, m_control);
+    const Connected_cut given = m_problem.initial.connected(m_problem.mesh, m_problem.constraints,
+                                                                  m_problem.terminals, m_context.execution, m_control);
     if(!given.status)
       return results;
     Refiner refiner(m_problem, m_context);
@@ -246,9 +245,9 @@ private:
   const Cutting_parameters m_parameters;
   const Context m_context;
   Run_control& m_control;
-  const Cut_parameterizer<ConcurrencyTag> m_parameterizer;
+  const Cut_parameterizer m_parameterizer;
   const bool m_is_coarsened;
-  const Room_search<ConcurrencyTag> m_room_search;
+  const Room_search m_room_search;
 };
 
 } // namespace internal

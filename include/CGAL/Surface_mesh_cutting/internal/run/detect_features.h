@@ -33,7 +33,6 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-using Surface_mesh_parameterization::internal::execution_of;
 
 // The features of a surface without handles (paper, Section 3.1), from the given start.
 // On a surface that is opened to a disk, on a coarser version of that disk.
@@ -46,7 +45,7 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
   const int number_of_faces = (std::max)(context.parameters.coarse_number_of_faces, faces_per_handle * handles);
   const Coarse_disk coarse(fine, make_chart(fine.mesh, fine.constraints.mandatory), number_of_faces, context);
   const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
-  Local_filter filter(coarse.problem(), Context{parameters, context.control, context.clock});
+  Local_filter filter(coarse.problem(), Context{parameters, context.control, context.clock, context.execution});
   Detected_features detected;
   if(!filter.run())
     detected.status = context.control.is_stopped() ? failure(context.control) : Indexed_status();
@@ -108,23 +107,23 @@ inline std::vector<unsigned int> seeds_of_compared_starts(const Problem& problem
 // Cuts of a still coarser version are longer: the most promising one takes the place of the first only where that is bad,
 // and its ends move only where it is shorter than the first before these have moved. That of the given seed is preferred
 // only if it is clearly better: so few runs depend on it.
-template <typename ConcurrencyTag>
-Detected_features cheapest_features_of_starts(const Problem& problem, int first_start, const Context& context)
+inline Detected_features cheapest_features_of_starts(const Problem& problem, int first_start, const Context& context)
 {
   constexpr double clearly = 0.98; // times the cost; less may be due to the coarser version
   const std::vector<Cutting_parameters> starts = parameters_of_starts(context.parameters);
   std::vector<Detected_features> found(starts.size());
-  const Coarse_mesh still_coarser = coarser_version(problem, Context{starts.back(), context.control, context.clock});
+  const Coarse_mesh still_coarser
+    = coarser_version(problem, Context{starts.back(), context.control, context.clock, context.execution});
   const auto found_with = [&](const Cutting_parameters& parameters, Run_control& control)
   {
-    return rough_features<ConcurrencyTag>(problem, still_coarser, first_start + 1,
+    return rough_features(problem, still_coarser, first_start + 1,
                                           Context{parameters, control, context.clock});
   };
-  execute(execution_of<ConcurrencyTag>(), int(starts.size()), [&](int i)
+  execute(context.execution, int(starts.size()), [&](int i)
   {
     Run_control control(context.control, Run_control::share_of_detection() / double(starts.size()));
     found[i] = i > 0 ? found_with(without_moved_ends(starts[i]), control)
-                     : coarse_features<ConcurrencyTag>(problem, first_start, Context{starts[i], control, context.clock});
+                     : coarse_features(problem, first_start, Context{starts[i], control, context.clock});
   });
   const auto rank = [&](std::size_t i)
   {
@@ -143,34 +142,32 @@ Detected_features cheapest_features_of_starts(const Problem& problem, int first_
 }
 
 // The features that the parameters ask for, found on coarser versions.
-template <typename ConcurrencyTag>
-Detected_features detect_coarse_features(const Problem& problem, int start, const Context& context)
+inline Detected_features detect_coarse_features(const Problem& problem, int start, const Context& context)
 {
   if(searches(problem, context.parameters))
     return find_on_coarse_mesh(problem, coarser_version(problem, context), context,
                                [start](const Problem& coarse, const Context& c)
-                               { return Cut_search<ConcurrencyTag>(coarse, c, true).run(start); });
+                               { return Cut_search(coarse, c, true).run(start); });
   if(compares_starts(problem, context.parameters))
-    return cheapest_features_of_starts<ConcurrencyTag>(problem, start, context);
-  return coarse_features<ConcurrencyTag>(problem, start, context);
+    return cheapest_features_of_starts(problem, start, context);
+  return coarse_features(problem, start, context);
 }
 
 // From one start, or from as many as the parameters say.
-template <typename ConcurrencyTag>
-Detected_features detect_features(const Problem& problem, int start, const Context& context)
+inline Detected_features detect_features(const Problem& problem, int start, const Context& context)
 {
   if(problem.is_opened)
     return detect_features_of_disk(problem, context);
   if(is_coarsened(problem, context.parameters))
   {
-    Detected_features detected = detect_coarse_features<ConcurrencyTag>(problem, start, context);
+    Detected_features detected = detect_coarse_features(problem, start, context);
     const std::size_t enough = problem.is_sphere ? 2 : 0; // a tree of one point opens nothing
     if(!detected.status || detected.features.size() >= enough)
       return detected;
   }
   else if(searches(problem, context.parameters))
-    return Cut_search<ConcurrencyTag>(problem, context, false).run(start);
-  return Feature_detector<ConcurrencyTag>(problem, context).run(start);
+    return Cut_search(problem, context, false).run(start);
+  return Feature_detector(problem, context).run(start);
 }
 
 } // namespace internal

@@ -70,30 +70,28 @@ inline std::vector<int> far_vertices(const Indexed_mesh& mesh, const Edge_constr
 }
 
 // A cut to one disk, along the given one where there is one.
-template <typename ConcurrencyTag>
-Connected_cut early_cut(const Problem& problem, const std::vector<int>& terminals)
+inline Connected_cut early_cut(const Problem& problem, const std::vector<int>& terminals, Execution execution)
 {
   const Indexed_mesh& mesh = problem.mesh;
   Edge_constraints constraints = problem.constraints;
   if(total_genus(make_chart(mesh, constraints.mandatory)) > 0) // the run was stopped before it had all loops
     constraints.mandatory = cut_graph(mesh, problem.initial.is_given() ? problem.initial.guide(constraints) : constraints);
   if(problem.initial.is_given())
-    return problem.initial.template connected<ConcurrencyTag>(mesh, constraints, terminals, always_go_further);
+    return problem.initial.connected(mesh, constraints, terminals, execution, always_go_further);
   CGAL::internal::Steiner_tree::Options options;
   options.method = CGAL::internal::Steiner_tree::Method::metric_closure;
-  return connect_terminals<ConcurrencyTag>(mesh, constraints, terminals, options, always_go_further);
+  return connect_terminals(mesh, constraints, terminals, options, execution, always_go_further);
 }
 
 // Completes `found`, what a stopped run leaves of a surface, to a result: by a cut that takes little time to find, unless there
 // is one, and a map of it without overlaps. The status stays.
-template <typename ConcurrencyTag>
-void complete_early(const Problem& problem, bool needs_map, const Run_control& control, Component_result& found)
+inline void complete_early(const Problem& problem, bool needs_map, const Context& context, Component_result& found)
 {
   if(!found.has_cut)
   {
     found.features = problem.is_sphere && !problem.initial.is_given()
                        ? far_vertices(problem.mesh, problem.constraints, problem.terminals) : problem.terminals;
-    Connected_cut connected = early_cut<ConcurrencyTag>(problem, found.features);
+    Connected_cut connected = early_cut(problem, found.features, context.execution);
     if(!connected.status)
       return;
     std::sort(found.features.begin(), found.features.end());
@@ -107,12 +105,12 @@ void complete_early(const Problem& problem, bool needs_map, const Run_control& c
   if(!needs_map || found.has_map)
     return;
   using namespace Surface_mesh_parameterization::internal;
-  constexpr Execution execution = execution_of<ConcurrencyTag>();
   found.chart = make_chart(problem.mesh, found.cut);
-  found.has_map = early_map(problem, found.chart, [&control] { return control.was_just_stopped(); }, execution, found.uv);
+  found.has_map = early_map(problem, found.chart, [&context] { return context.control.was_just_stopped(); },
+                            context.execution, found.uv);
   if(found.has_map)
     found.energy = area_average(problem.shapes, face_energies<Symmetric_Dirichlet_energy>(
-                                                  problem.shapes, found.chart.triangles(), found.uv, execution));
+                                                  problem.shapes, found.chart.triangles(), found.uv, context.execution));
   found.keep_undominated_trade_offs();
 }
 

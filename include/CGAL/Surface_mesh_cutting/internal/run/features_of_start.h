@@ -54,12 +54,11 @@ inline Cutting_parameters parameters_on_coarse_mesh(const Cutting_parameters& pa
 }
 
 // Keeps those of the features that a cut through them needs once it is refined.
-template <typename ConcurrencyTag>
-void refine_features(const Problem& problem, const Context& context, Detected_features& detected)
+inline void refine_features(const Problem& problem, const Context& context, Detected_features& detected)
 {
   const Phase_clock::Measurement measurement(context.clock, Phase::REFINE);
   const Cutting_parameters& parameters = context.parameters;
-  Cut_refiner<ConcurrencyTag> refiner(problem, context);
+  Cut_refiner refiner(problem, context);
   if(refiner.connect(detected.features, !detected.is_hopeless) && refiner.map())
   {
     constexpr bool keeps_tree = true; // only the features are handed on
@@ -121,36 +120,32 @@ Detected_features find_on_coarse_mesh(const Problem& fine, const Coarse_mesh& co
 }
 
 // Features from one start on a coarser version, where refining them is cheap.
-template <typename ConcurrencyTag>
-Detected_features refined_features(const Problem& problem, int start, const Context& context)
+inline Detected_features refined_features(const Problem& problem, int start, const Context& context)
 {
   const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
   Detected_features detected
-    = Feature_detector<ConcurrencyTag>(problem, Context{parameters, context.control, context.clock}).run(start);
+    = Feature_detector(problem, Context{parameters, context.control, context.clock, context.execution}).run(start);
   if(detected.status && refines(problem, context.parameters))
-    refine_features<ConcurrencyTag>(problem, context, detected);
+    refine_features(problem, context, detected);
   return detected;
 }
 
 // The same on a coarser version of the problem's surface.
-template <typename ConcurrencyTag>
-Detected_features coarse_features(const Problem& problem, const Coarse_mesh& coarse, int start, const Context& context)
+inline Detected_features coarse_features(const Problem& problem, const Coarse_mesh& coarse, int start, const Context& context)
 {
   return find_on_coarse_mesh(problem, coarse, context, [start](const Problem& p, const Context& c)
-                             { return refined_features<ConcurrencyTag>(p, start, c); });
+                             { return refined_features(p, start, c); });
 }
 
-template <typename ConcurrencyTag>
-Detected_features coarse_features(const Problem& problem, int start, const Context& context)
+inline Detected_features coarse_features(const Problem& problem, int start, const Context& context)
 {
-  return coarse_features<ConcurrencyTag>(problem, coarser_version(problem, context), start, context);
+  return coarse_features(problem, coarser_version(problem, context), start, context);
 }
 
 // Those of so coarse a version that its trade-offs tell too little about the surface.
-template <typename ConcurrencyTag>
-Detected_features rough_features(const Problem& problem, const Coarse_mesh& coarse, int start, const Context& context)
+inline Detected_features rough_features(const Problem& problem, const Coarse_mesh& coarse, int start, const Context& context)
 {
-  Detected_features detected = coarse_features<ConcurrencyTag>(problem, coarse, start, context);
+  Detected_features detected = coarse_features(problem, coarse, start, context);
   detected.trade_offs.clear();
   return detected;
 }

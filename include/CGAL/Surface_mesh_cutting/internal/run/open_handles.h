@@ -56,8 +56,7 @@ inline Edge_constraints favor_creases(const Indexed_mesh& mesh, Edge_constraints
 // Makes a cut to one disk mandatory: loops and a tree through what they leave, and then what that becomes when paths are
 // exchanged for cheaper ones. Features are connected to it. Creases decide about distortion, which so many loops
 // cause more of than features take back, unless the caller's weights are to be kept.
-template <typename ConcurrencyTag>
-Indexed_status open_to_disk(Problem& problem, const Context& context)
+inline Indexed_status open_to_disk(Problem& problem, const Context& context)
 {
   constexpr double share_for_loops = 0.5, share_for_paths = 0.2; // measured; more makes cuts longer
   const Indexed_mesh& mesh = problem.mesh;
@@ -72,8 +71,8 @@ Indexed_status open_to_disk(Problem& problem, const Context& context)
   const Phase_clock::Measurement measurement(context.clock, Phase::CONNECT);
   Edge_constraints constraints = favor_creases(mesh, problem.constraints, crease_factor * share_for_paths);
   constraints.mandatory = std::move(handles.cut);
-  Connected_cut connected = connect_terminals<ConcurrencyTag>(mesh, constraints, problem.terminals,
-                                                              context.parameters.connection, context.control);
+  Connected_cut connected = connect_terminals(mesh, constraints, problem.terminals,
+                                                              context.parameters.connection, context.execution, context.control);
   if(!connected.status)
     return connected.status;
   Opening_search search(mesh, constraints, problem.terminal_marks(), std::move(connected.cut));
@@ -84,12 +83,11 @@ Indexed_status open_to_disk(Problem& problem, const Context& context)
 }
 
 // What has to be open before features are looked for.
-template <typename ConcurrencyTag>
-Indexed_status open_handles(Problem& problem, const Context& context)
+inline Indexed_status open_handles(Problem& problem, const Context& context)
 {
   if(problem.is_sphere)
     return Indexed_status();
-  return problem.has_many_handles && !problem.initial.is_given() ? open_to_disk<ConcurrencyTag>(problem, context)
+  return problem.has_many_handles && !problem.initial.is_given() ? open_to_disk(problem, context)
                                                                  : cut_handles_of(problem, context);
 }
 

@@ -86,12 +86,12 @@ using Write = std::function<void(const Adapter&, const Mesh_result&)>;
 
 // Runs the method and translates what it finds. The same for all named parameters. The map is proven for UVs held
 // as `UV`.
-template <typename ConcurrencyTag, typename UV, typename Result, typename Adapter>
+template <typename UV, typename Result, typename Adapter>
 Indexed_status run_method(const Adapter& adapter, Output_kind output, const Write<Adapter>& write,
                           const Cutting_constraints& constraints, const Context& context, Result& result)
 {
   const auto round = [&adapter](const Eigen::Vector2d& uv) { return adapter.template rounded_uv<UV>(uv); };
-  const Mesh_result found = cut_indexed_mesh<ConcurrencyTag>(adapter.mesh(), output, round, constraints, context);
+  const Mesh_result found = cut_indexed_mesh(adapter.mesh(), output, round, constraints, context);
   translate(found, adapter, result);
   if(found.has_result)
   {
@@ -141,8 +141,8 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
     Indexed_status found;
     const auto run = [&]
     {
-      found = run_method<ConcurrencyTag, UV, Result, Adapter>(
-        adapter, output, write, constraints, Context{parameters, control, clock}, result);
+      found = run_method<UV, Result, Adapter>(
+        adapter, output, write, constraints, Context{parameters, control, clock, execution_of<ConcurrencyTag>()}, result);
     };
     execute_both(execution_of<ConcurrencyTag>(), run, [&] { status.warnings = adapter.warnings(); });
     status.finding = found.finding;
