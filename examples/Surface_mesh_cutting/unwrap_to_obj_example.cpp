@@ -1,6 +1,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh_cutting/pack_charts.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 
 #include <fstream>
@@ -28,10 +29,17 @@ int main(int argc, char** argv)
 
   auto is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
   auto uv = mesh.add_property_map<halfedge_descriptor, Kernel::Point_2>("h:uv").first;
-  const auto result = SMC::unwrap(mesh, is_cut, uv);
-  if(!result)
+  // For a texture: no two triangles overlap, and all charts lie in the unit square.
+  const auto result = SMC::unwrap(mesh, is_cut, uv, CGAL::parameters::do_bijective(true));
+  if(!result.has_result)
   {
     std::cerr << result.status.message << std::endl;
+    return EXIT_FAILURE;
+  }
+  const auto packing = SMC::pack_charts(mesh, is_cut, uv);
+  if(!packing.has_result)
+  {
+    std::cerr << packing.status.message << std::endl;
     return EXIT_FAILURE;
   }
 
