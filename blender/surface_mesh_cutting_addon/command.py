@@ -85,6 +85,8 @@ def prepare(surface, settings, threads, folder):
                  "--uv-scale", settings.scale]
     if settings.scale == 'unit':
         arguments += ["--margin", _number(settings.margin), "--texture-size", str(settings.texture_size)]
+        if settings.turn != 'automatic':
+            arguments += ["--rotate", settings.turn]
     if settings.limits_stretch:
         arguments += ["--max-distortion", _number(energy_of(settings.stretch))]
     if settings.may_overlap:

@@ -88,6 +88,13 @@ class UnwrapSettings:
     margin: FloatProperty(name="Margin", default=4, min=0, soft_max=64, max=16384, precision=1,
                           description="Pixels between islands, and to the border of the square")
 
+    turn: EnumProperty(
+        name="Turn Islands", default='automatic', description="How islands may be turned to fit into the square",
+        items=[('automatic', "Aligned", "Straight with the texture, unless that costs much room"),
+               ('quarter', "Straight", "Always straight with the texture"),
+               ('any', "Freely", "By any angle, so that islands are as large as possible"),
+               ('none', "Not at All", "Islands keep the direction in which they were flattened")])
+
     target: EnumProperty(
         name="Write To", default='ACTIVE', description="Where the layout goes",
         items=[('ACTIVE', "Active UV Map", "Replace the active UV map; one is added if there is none"),
@@ -137,7 +144,7 @@ class UnwrapSettings:
     def _draw_layout(self, column, context):
         if context.mode == 'EDIT_MESH':
             column.prop(self, "only_selected")
-        for name in ("is_shared", "scale", "texture_size", "margin", "may_overlap"):
+        for name in ("is_shared", "scale", "texture_size", "margin", "turn", "may_overlap"):
             column.prop(self, name)
 
     def _draw_result(self, column):

@@ -261,7 +261,7 @@ OTHER_NAMES = {
     "use_published_method": "faithful", "connect": "connection",
     "eps_iso": "minimum_distortion_decrease", "eps_len": "minimum_length_decrease",
     "alpha": "minimum_area_ratio", "beta": "influence_threshold",
-    "do_weld_points": "weld", "random_seed": "seed", "maximum_running_time": "time_limit", "visitor": "progress",
+    "do_weld_points": "weld", "chart_rotation": "rotate", "random_seed": "seed", "maximum_running_time": "time_limit", "visitor": "progress",
     "scale": "uv_scale"}
 
 
