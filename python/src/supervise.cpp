@@ -109,18 +109,18 @@ private:
 std::set<Run_monitor*> running;
 std::optional<std::thread::id> closing_thread; // once no call of another one begins any more
 
-class Entry
+class Running_call
 {
 public:
-  explicit Entry(Run_monitor& monitor) : m_monitor(monitor)
+  explicit Running_call(Run_monitor& monitor) : m_monitor(monitor)
   {
     if(closing_thread && *closing_thread != std::this_thread::get_id())
       wait_for_end();
     running.insert(&m_monitor);
   }
-  Entry(const Entry&) = delete;
-  Entry& operator=(const Entry&) = delete;
-  ~Entry() { running.erase(&m_monitor); }
+  Running_call(const Running_call&) = delete;
+  Running_call& operator=(const Running_call&) = delete;
+  ~Running_call() { running.erase(&m_monitor); }
 
 private:
   [[noreturn]] static void wait_for_end()
@@ -138,8 +138,10 @@ private:
 void stop_all_calls()
 {
   constexpr std::chrono::milliseconds period(5);
+  constexpr std::chrono::seconds patience(10); // a call may wait in its progress
+  const auto end = std::chrono::steady_clock::now() + patience;
   closing_thread = std::this_thread::get_id();
-  while(!running.empty())
+  while(!running.empty() && std::chrono::steady_clock::now() < end)
   {
     for(Run_monitor* monitor : running)
       monitor->stop();
@@ -160,7 +162,7 @@ bool supervise(const Call& call, const std::function<void(Run_monitor&)>& work)
   read(call, "progress", progress);
 
   Run_monitor monitor(time_limit);
-  const Entry entry(monitor);
+  const Running_call running_call(monitor);
   Supervisor supervisor(monitor, progress);
   std::future<void> future
     = std::async(std::launch::async, [&] { run_with_threads(threads, [&] { work(monitor); }); });

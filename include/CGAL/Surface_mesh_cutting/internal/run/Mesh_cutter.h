@@ -190,7 +190,7 @@ private:
     Component_cutter cutter(std::move(problem), Context{parameters, control, m_context.clock});
     const bool needs_map = output == Output_kind::MAP;
     part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(needs_map);
-    if(output != Output_kind::FEATURES && !has_result(part, output) && completes_early())
+    if(output != Output_kind::FEATURES && !has_result(part, output) && completes_early(mesh))
       part = cutter.completed_early(std::move(part), needs_map);
     part.cost *= cost_unit;
     for(Trade_off& t : part.trade_offs)
@@ -198,11 +198,13 @@ private:
     return part;
   }
 
-  // Whether a stopped run makes do with cuts and maps that take little time: on larger surfaces, even these take too much.
-  bool completes_early() const
+  // Whether a stopped run makes do with a cut and map of a component that take little time: on larger surfaces, even these
+  // take too much.
+  bool completes_early(const Indexed_mesh& component) const
   {
-    constexpr int largest = 50000; // faces
-    return m_context.control.is_stopped() && m_mesh.number_of_faces() <= largest;
+    constexpr int largest = 50000, largest_sum = 150000; // faces; several components do not take long to map
+    return m_context.control.is_stopped() && component.number_of_faces() <= largest &&
+           m_mesh.number_of_faces() <= largest_sum;
   }
 
   // Whether loops that cut the handles may leave more borders than a tree that is proven shortest connects.
