@@ -5,6 +5,7 @@
 #include "base64.h"
 #include "distortion_image.h"
 #include "partner_picture.h"
+#include "stretch.h"
 #include "svg_elements.h"
 
 #include <algorithm>
@@ -124,7 +125,8 @@ std::string caption(const Outcome& outcome)
   std::ostringstream text;
   text.precision(4);
   if(outcome.average_energy)
-    text << "Mean " << *outcome.average_energy;
+    text << "Mean energy " << *outcome.average_energy << " (" << std::lround(stretch_in_percent(*outcome.average_energy))
+         << " % of stretch)";
   if(outcome.maximum_energy)
     text << ", largest " << *outcome.maximum_energy;
   if(outcome.cut_length)

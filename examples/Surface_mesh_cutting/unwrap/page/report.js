@@ -51,7 +51,7 @@ function show(parent, name, key, text) {
 function showFigures() {
   const figures = [
     ['E_iso', 'Stretch', stretched, 'on average; energy ' + digits(report.E_iso)],
-    ['E_max', 'Largest stretch', stretched, 'of any triangle; energy ' + digits(report.E_max)],
+    ['E_max', 'Largest stretch', stretched, 'of a triangle; energy ' + digits(report.E_max)],
     ['cut_length', 'Length of the cut', digits, 'bounding box diagonals'], ['charts', 'Charts', digits, 'pieces of the layout'],
     ['fill', 'Square filled', value => percent(value, 3), 'by the charts'],
     ['overlaps', 'Overlaps', digits, 'proven'], ['flips', 'Flips', digits, 'proven']];

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Chart_rotation.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Rigid_motion.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/winding_of_segment.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Distance_field.h>
