@@ -82,8 +82,7 @@ Exit status:
      or the margins leave no room for so many charts; the message says where, counting from 0
   5  no valid result was found
   6  stopped by the time limit, which counts from the start of the program, or by Ctrl-C (a second
-     Ctrl-C ends at once); the best result so far is written, and the message says so; only
-     while a file is read, or a large surface searched, there may be none yet
+     Ctrl-C ends at once); the best result so far is written, and the message says so
   7  the result is valid, but misses a requested bound, or the proof that --connect exact asks for
 With 2 to 5, only the JSON report is written. No output replaces an input or another output; if
 --json names such a place, there is no report. If the command line is not understood, the report

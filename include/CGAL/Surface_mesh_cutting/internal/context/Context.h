@@ -31,7 +31,8 @@ struct Context
   const Cutting_parameters& parameters;
   Run_control& control;
   Phase_clock& clock;
-  Surface_mesh_parameterization::internal::Execution execution = Surface_mesh_parameterization::internal::Execution::SEQUENTIAL;
+  Surface_mesh_parameterization::internal::Execution execution
+    = Surface_mesh_parameterization::internal::Execution::SEQUENTIAL;
 };
 
 // Why there is no map.

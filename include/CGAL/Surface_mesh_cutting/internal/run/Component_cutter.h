@@ -127,7 +127,7 @@ private:
   std::vector<Component_result> results_of(const Cutting_parameters& parameters, bool has_seeds, bool needs_map,
                                            Run_control& control, Done& done) const
   {
-    const Context context{m_context.parameters, control, m_context.clock};
+    const Context context{m_context.parameters, control, m_context.clock, m_context.execution};
     std::vector<Component_result> results;
     const Several_starts several(m_problem, context);
     const bool finishes_several = has_seeds && several.serve(parameters);

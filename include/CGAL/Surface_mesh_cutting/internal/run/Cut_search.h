@@ -106,7 +106,7 @@ private:
     parameters.coarse_number_of_faces
       = int(relative_size(place) * (std::min)(number_of_faces, largest_share * m_problem.mesh.number_of_faces()));
     Run_control control(m_control, Run_control::share_of_detection() / m_parameters.number_of_starts);
-    const Context context{parameters, control, m_context.clock};
+    const Context context{parameters, control, m_context.clock, m_context.execution};
     if(place == 0 || !is_coarsened(m_problem, parameters)) // one start at least sees all details
       return refined_features(m_problem, start, context);
     return rough_features(m_problem, coarser_version(m_problem, context), start, context);

@@ -187,7 +187,7 @@ private:
                     Initial_cut(component.restriction(m_constraints.initial)),
                     component.topology.genus() == 0 && component.topology.border_loops == 0, many_handles};
     Run_control control(m_context.control, double(mesh.number_of_faces()) / m_mesh.number_of_faces());
-    Component_cutter cutter(std::move(problem), Context{parameters, control, m_context.clock});
+    Component_cutter cutter(std::move(problem), Context{parameters, control, m_context.clock, m_context.execution});
     const bool needs_map = output == Output_kind::MAP;
     part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(needs_map);
     if(output != Output_kind::FEATURES && !has_result(part, output) && completes_early(mesh))

@@ -87,7 +87,7 @@ public:
     {
       controls.emplace_back(m_context.control, 1. / double(seeds.size()));
       runs.emplace_back(m_problem, of_start(parameters, int(runs.size()), seed),
-                        Context{m_context.parameters, controls.back(), m_context.clock});
+                        Context{m_context.parameters, controls.back(), m_context.clock, m_context.execution});
     }
     std::vector<Begun> starts = prepared(runs);
     std::vector<double> costs;

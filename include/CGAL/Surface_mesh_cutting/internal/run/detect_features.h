@@ -117,13 +117,13 @@ inline Detected_features cheapest_features_of_starts(const Problem& problem, int
   const auto found_with = [&](const Cutting_parameters& parameters, Run_control& control)
   {
     return rough_features(problem, still_coarser, first_start + 1,
-                                          Context{parameters, control, context.clock});
+                                          Context{parameters, control, context.clock, context.execution});
   };
   execute(context.execution, int(starts.size()), [&](int i)
   {
     Run_control control(context.control, Run_control::share_of_detection() / double(starts.size()));
     found[i] = i > 0 ? found_with(without_moved_ends(starts[i]), control)
-                     : coarse_features(problem, first_start, Context{starts[i], control, context.clock});
+                     : coarse_features(problem, first_start, Context{starts[i], control, context.clock, context.execution});
   });
   const auto rank = [&](std::size_t i)
   {
