@@ -19,7 +19,7 @@ namespace {
 
 Polygon_soup read(std::string_view bytes, unsigned format)
 {
-  const Attributes attributes = {true, true, true, true};
+  const Attributes attributes = {true, true, true, true, true}; // glTF is edited
   switch(format)
   {
     case 0: return read_off(bytes, attributes);

@@ -3,9 +3,22 @@
 import base64
 import json
 import struct
+import zlib
+
+from support import sphere
 
 CODES = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
 NUMBERS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+
+
+def png():
+    """A white pixel."""
+    chunks = (b"IHDR", struct.pack(">2I5B", 1, 1, 8, 0, 0, 0, 0)), (b"IDAT", zlib.compress(b"\0\xff")), (b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + b"".join(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+                                         for kind, data in chunks)
+
+
+IMAGE = png()
 
 
 class Builder:
@@ -44,6 +57,54 @@ class Builder:
         """As text, with the buffer inside or elsewhere."""
         uri = uri or "data:application/octet-stream;base64," + base64.b64encode(self.buffer).decode()
         return json.dumps(self.description | {"buffers": [{"byteLength": len(self.buffer), "uri": uri}]})
+
+
+def full():
+    """A character with all that the format knows."""
+    points, triangles = sphere(1)
+    count, corners = len(points), [v for triangle in triangles for v in triangle]
+    file = Builder()
+    attributes = {
+        "POSITION": file.positions(points),
+        "NORMAL": file.accessor([(0, 0, 1)] * count, "VEC3"),
+        "TANGENT": file.accessor([(1, 0, 0, 1)] * count, "VEC4"),
+        "TEXCOORD_0": file.accessor([p[:2] for p in points], "VEC2", name="old"),
+        "TEXCOORD_1": file.accessor([p[1:] for p in points], "VEC2"),
+        "COLOR_0": file.accessor([(i, 255 - i, 7, 100 + i) for i in range(count)], "VEC4", 5121, normalized=True),
+        "JOINTS_0": file.accessor([(0, 1, 0, 0)] * count, "VEC4", 5121),
+        "WEIGHTS_0": file.accessor([(i % 8 / 8, 1 - i % 8 / 8, 0, 0) for i in range(count)], "VEC4"),
+        "_WEAR": file.accessor([i * i for i in range(count)], "SCALAR"),
+        "_BYTES": file.accessor([(i, 1, 2) for i in range(count)], "VEC3", 5121)}
+    targets = [{"POSITION": file.positions([(i / 100 + t, 0, 0) for i in range(count)]),
+                "NORMAL": file.accessor([(0, i / 100, t) for i in range(count)], "VEC3")} for t in range(2)]
+    indices = file.accessor(corners, "SCALAR", 5121)
+    identity = [1.0 if i % 5 == 0 else 0.0 for i in range(16)]
+    bind = file.accessor([identity, identity], "MAT4")
+    times = file.accessor([0, 1], "SCALAR", min=[0], max=[1])
+    turns = file.accessor([(0, 0, 0, 1), (0, 1, 0, 0)], "VEC4")
+    line = file.positions([(0, 0, 0), (1, 1, 1)])
+    image = file.view(IMAGE)
+    file.description |= {
+        "extensionsUsed": ["KHR_materials_unlit", "ACME_thing"],
+        "scene": 0, "scenes": [{"name": "stage", "nodes": [0, 3, 4]}, {"nodes": [5]}],
+        "nodes": [{"name": "Hips", "children": [1], "extras": {"a": [1, 2.5, None]}},
+                  {"name": "Knee", "translation": [0, 1, 0]},
+                  {"name": "unused"}, {"name": "Body", "mesh": 0, "skin": 0, "weights": [0.25, 0.5]},
+                  {"name": "Eye", "camera": 0, "matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1]}, {"mesh": 1}],
+        "meshes": [{"name": "Body", "weights": [0, 0], "extras": {"targetNames": ["smile", "frown"]},
+                    "primitives": [{"attributes": attributes, "indices": indices, "material": 0, "targets": targets,
+                                    "extensions": {"ACME_thing": {"level": "high"}}}]},
+                   {"name": "Wire", "primitives": [{"attributes": {"POSITION": line}, "mode": 1}]}],
+        "skins": [{"joints": [0, 1], "inverseBindMatrices": bind}],
+        "animations": [{"name": "wave", "channels": [{"sampler": 0, "target": {"node": 1, "path": "rotation"}}],
+                        "samplers": [{"input": times, "output": turns}]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.01}}],
+        "materials": [{"name": "Skin", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+                       "extensions": {"KHR_materials_unlit": {}}}],
+        "textures": [{"source": 0, "sampler": 0}], "samplers": [{"wrapS": 33071}],
+        "images": [{"name": "skin", "mimeType": "image/png", "bufferView": image}],
+        "extras": {"made by": "a test \u00e4"}}
+    return file
 
 
 def glb(description, buffer):

@@ -1,5 +1,6 @@
 """What the documentation of unwrap promises about the files that a run leaves, as checks that raise a `Fault`."""
 
+import base64
 import json
 import os
 import stat
@@ -89,8 +90,15 @@ def check_glb(data):
     require(description["buffers"][0]["byteLength"] <= len(data) - 28 - size, "the buffer is cut off")
 
 
+def check_gltf(data):
+    buffer, = json.loads(data)["buffers"]
+    content = base64.b64decode(buffer["uri"].partition(",")[2])
+    require(len(content) == buffer["byteLength"], "the buffer is cut off")
+
+
 def check_mesh(data):
-    (check_glb if data.startswith(b"glTF") else check_ply if data.startswith(b"ply") else check_obj)(data)
+    (check_glb if data.startswith(b"glTF") else check_ply if data.startswith(b"ply") else
+     check_gltf if data.startswith(b"{") else check_obj)(data)
 
 
 def check_report(data, exit_code):

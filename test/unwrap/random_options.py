@@ -79,7 +79,7 @@ class Case:
         for option, usual in OUTPUTS.items():
             for _ in range(self.some(0.5) + self.some(0.03)):
                 if option == "--output":
-                    usual = self.generator.choice(["a.obj", "a.obj", "a.ply", "a.glb"])
+                    usual = self.generator.choice(["a.obj", "a.obj", "a.ply", "a.glb", "a.gltf"])
                 place = usual if self.some(0.8) else self.generator.choice(PLACES)
                 if self.some(0.1):
                     place = str(self.folder / place)
@@ -174,7 +174,7 @@ class Case:
             outputs += [("--output", name) for name in meshes]
         if any(option == "--texture" for option, _ in outputs):
             outputs += [("material", str(PurePath(name).with_suffix(".mtl"))) for name in meshes
-                        if PurePath(name).name and PurePath(name).suffix not in (".ply", ".glb")]
+                        if PurePath(name).name and PurePath(name).suffix not in (".ply", ".glb", ".gltf")]
         return [(option, self.path(name)) for option, name in outputs
                 if not self.path(name).startswith(("/dev/", "/proc/"))]
 

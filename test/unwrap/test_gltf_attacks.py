@@ -30,8 +30,8 @@ class Attacks(Case):
         """Also those to which the file refers, if it can be unwrapped or not."""
         file = builder(images=[{"uri": "skin color.png"}, {"uri": "not%20there.png"}])
         outputs = ("-o", "--json", "--svg", "--html", "--obj-cut", "--texture")
-        for required, (option, (name, uri)) in itertools.product(
-                ([], ["ACME_meshes"]), itertools.product(outputs, (("m.bin", "m.bin"), ("m.bin", "%6d.bin"), ("m.glb", "m.glb"), ("skin color.png", "m.bin")))):
+        names = (("m.bin", "m.bin"), ("m.bin", "%6d.bin"), ("m.glb", "m.glb"), ("skin color.png", "m.bin"))
+        for required, option, (name, uri) in itertools.product(([], ["ACME_meshes"]), outputs, names):
             self.write(uri.replace("%6d", "m"), file.buffer)
             self.write("skin color.png", b"image")
             file.description["extensionsRequired"] = required
@@ -46,8 +46,8 @@ class Attacks(Case):
         (self.folder / "scene" / "below").mkdir(parents=True)
         for name in ("m.bin", "scene/m.bin", "scene/below/m.bin"):
             self.write(name, file.buffer)
-        for uri, is_read in (("m.bin", True), ("below/m.bin", True), ("./m.bin", True), ("below%2Fm.bin", True), ("../m.bin", False),
-                             ("%2e%2e/m.bin", False), ("%2e%2E%2fm.bin", False), ("below/../m.bin", False),
+        for uri, is_read in (("m.bin", True), ("below/m.bin", True), ("./m.bin", True), ("below%2Fm.bin", True),
+                             ("../m.bin", False), ("%2e%2e/m.bin", False), ("%2e%2E%2fm.bin", False), ("below/../m.bin", False),
                              (str(self.folder / "m.bin"), False), ("%2f" + str(self.folder / "m.bin")[1:], False),
                              ("file:m.bin", False), ("http://localhost/m.bin", False), (".", False), ("", False),
                              ("m.bin%00", False), ("nothing.bin", False)):
@@ -97,15 +97,16 @@ class Attacks(Case):
                 self.assert_refused(3, "in.glb", "-o", "out.glb")
 
     def test_no_trees(self):
-        for nodes in ([{"mesh": 0, "children": [0]}], [{"children": [1]}, {"children": [0]}], [{"children": [2]}, {"children": [2]}, {}],
-                      [{"children": [7]}], [{"children": [-1]}], [{"mesh": 5}]):
+        for nodes in ([{"mesh": 0, "children": [0]}], [{"children": [1]}, {"children": [0]}],
+                      [{"children": [2]}, {"children": [2]}, {}], [{"children": [7]}], [{"children": [-1]}], [{"mesh": 5}]):
             self.write("in.glb", builder(nodes=nodes).glb())
             self.assert_refused(3, "in.glb", "-o", "out.obj")
 
     def test_messages(self):
         """They quote a part of what is wrong, without control characters."""
         file = builder()
-        for uri in ("data:application/octet-stream;base64,!" + "A" * 100000, "no\u001b[31m/" + "x" * 4000, "data:,\n" + "%41" * 9999):
+        for uri in ("data:application/octet-stream;base64,!" + "A" * 100000, "no\u001b[31m/" + "x" * 4000,
+                    "data:,\n" + "%41" * 9999):
             self.write("in.gltf", file.gltf(uri))
             message = self.assert_refused(3, "in.gltf", "-o", "out.obj")["message"]
             self.assertLess(len(message), 300)
@@ -113,7 +114,8 @@ class Attacks(Case):
 
     def test_extensions(self):
         """What to do about those that hide meshes is told."""
-        for name, advice in (("KHR_draco_mesh_compression", "gltf-transform"), ("EXT_meshopt_compression", "gltfpack"), ("ACME_meshes", "")):
+        for name, advice in (("KHR_draco_mesh_compression", "gltf-transform"), ("EXT_meshopt_compression", "gltfpack"),
+                             ("ACME_meshes", "")):
             self.write("in.glb", builder(extensionsUsed=[name], extensionsRequired=[name]).glb())
             message = self.assert_refused(3, "in.glb", "-o", "out.glb")["message"]
             self.assertIn(name, message)
@@ -152,7 +154,8 @@ class Attacks(Case):
 
     def test_names(self):
         """Each is one word of a line of OBJ, without comments and continuations."""
-        file = builder(nodes=[{"mesh": 0, "name": "a#b\\"}, {"mesh": 0, "name": "c\nf 1 1 1\r"}], materials=[{"name": "m # n\\"}])
+        file = builder(nodes=[{"mesh": 0, "name": "a#b\\"}, {"mesh": 0, "name": "c\nf 1 1 1\r"}],
+                       materials=[{"name": "m # n\\"}])
         file.description["meshes"][0]["primitives"][0]["material"] = 0
         self.write("in.glb", file.glb())
         self.report("in.glb", "-o", "out.obj")

@@ -1,11 +1,10 @@
 """What the program keeps of a glTF file: everything but the texture coordinates, checked byte for byte."""
 
-import base64
 import json
 import struct
 from fractions import Fraction
 
-from gltf_files import Builder, File
+from gltf_files import IMAGE, Builder, File, full
 from support import Case, main, octahedron, read_obj, sphere
 
 # A cube whose faces have vertices of their own.
@@ -18,55 +17,6 @@ for axis, side in AXES:
         CUBE.append(tuple(point))
 NORMALS = [tuple(side if i == axis else 0 for i in range(3)) for axis, side in AXES for _ in range(4)]
 FACES = [v for f in range(6) for v in (4 * f, 4 * f + 1, 4 * f + 2, 4 * f, 4 * f + 2, 4 * f + 3)]
-IMAGE = b"\x89PNG\r\n\x1a\n and what else an image has"
-
-
-def full():
-    """A character with all that the format knows, whose face has few triangles, so that it is not cut apart where its vertices
-    are."""
-    points, triangles = sphere(1)
-    count, corners = len(points), [v for triangle in triangles for v in triangle]
-    file = Builder()
-    attributes = {
-        "POSITION": file.positions(points),
-        "NORMAL": file.accessor(points, "VEC3"),
-        "TANGENT": file.accessor([(1, 0, 0, 1)] * count, "VEC4"),
-        "TEXCOORD_0": file.accessor([p[:2] for p in points], "VEC2", name="old"),
-        "TEXCOORD_1": file.accessor([p[1:] for p in points], "VEC2"),
-        "COLOR_0": file.accessor([(i, 255 - i, 7, 100 + i) for i in range(count)], "VEC4", 5121, normalized=True),
-        "JOINTS_0": file.accessor([(0, 1, 0, 0)] * count, "VEC4", 5121),
-        "WEIGHTS_0": file.accessor([(i / count, 1 - i / count, 0, 0) for i in range(count)], "VEC4"),
-        "_WEAR": file.accessor([i * i for i in range(count)], "SCALAR"),
-        "_BYTES": file.accessor([(i, 1, 2) for i in range(count)], "VEC3", 5121)}
-    targets = [{"POSITION": file.positions([(i / 100 + t, 0, 0) for i in range(count)]),
-                "NORMAL": file.accessor([(0, i / 100, t) for i in range(count)], "VEC3")} for t in range(2)]
-    indices = file.accessor(corners, "SCALAR", 5121)
-    identity = [1.0 if i % 5 == 0 else 0.0 for i in range(16)]
-    bind = file.accessor([identity, identity], "MAT4")
-    times = file.accessor([0, 1], "SCALAR", min=[0], max=[1])
-    turns = file.accessor([(0, 0, 0, 1), (0, 1, 0, 0)], "VEC4")
-    line = file.positions([(0, 0, 0), (1, 1, 1)])
-    image = file.view(IMAGE)
-    file.description |= {
-        "extensionsUsed": ["KHR_materials_unlit", "ACME_thing"],
-        "scene": 0, "scenes": [{"name": "stage", "nodes": [0, 3, 4]}, {"nodes": [5]}],
-        "nodes": [{"name": "Hips", "children": [1], "extras": {"a": [1, 2.5, None]}}, {"name": "Knee", "translation": [0, 1, 0]},
-                  {"name": "unused"}, {"name": "Body", "mesh": 0, "skin": 0, "weights": [0.25, 0.5]},
-                  {"name": "Eye", "camera": 0, "matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1]}, {"mesh": 1}],
-        "meshes": [{"name": "Body", "weights": [0, 0], "extras": {"targetNames": ["smile", "frown"]},
-                    "primitives": [{"attributes": attributes, "indices": indices, "material": 0, "targets": targets,
-                                    "extensions": {"ACME_thing": {"level": "high"}}}]},
-                   {"name": "Wire", "primitives": [{"attributes": {"POSITION": line}, "mode": 1}]}],
-        "skins": [{"joints": [0, 1], "inverseBindMatrices": bind}],
-        "animations": [{"name": "wave", "channels": [{"sampler": 0, "target": {"node": 1, "path": "rotation"}}],
-                        "samplers": [{"input": times, "output": turns}]}],
-        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.01}}],
-        "materials": [{"name": "Skin", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
-                       "extensions": {"KHR_materials_unlit": {}}}],
-        "textures": [{"source": 0, "sampler": 0}], "samplers": [{"wrapS": 33071}],
-        "images": [{"name": "skin", "mimeType": "image/png", "bufferView": image}],
-        "extras": {"made by": "a test \u00e4"}}
-    return file
 
 
 def without_data(description):
@@ -159,6 +109,26 @@ class Kept(Case):
         self.assertEqual((report["vertices"], report["components"], report["charts"]), (8, 1, 1))
         self.assertEqual(len(set(after.numbers_of(after.primitives()[0]["attributes"]["COLOR_0"]))), 6)
 
+        # OBJ has them at points, which are repeated; the surface stays connected.
+        _, report = self.report("in.glb", "-o", "out.obj")
+        self.assertEqual((report["components"], report["charts"]), (1, 1))
+        lines = [line.split() for line in (self.folder / "out.obj").read_text().splitlines()]
+        colors = {tuple(map(float, words[1:4])): set() for words in lines if words[0] == "v"}
+        for words in lines:
+            if words[0] == "v":
+                colors[tuple(map(float, words[1:4]))].add(words[4])
+        self.assertEqual([len(reds) for reds in colors.values()], [3] * 8)
+
+    def test_meshes_stay_apart(self):
+        """Even where nothing in them is connected."""
+        points, triangles = octahedron()
+        file = Builder()
+        file.description |= {"meshes": [{"primitives": [{"attributes": {"POSITION": file.positions([points[v] for v in t])}}]}
+                                        for t in triangles]}
+        for weld in ("auto", "on"):
+            _, _, report = self.edit(file.glb(), "in.glb", "out.glb", "--weld", weld)
+            self.assertEqual((report["components"], report["charts"]), (8, 8))
+
     def test_kinds_of_accessors(self):
         """Quantized, interleaved and sparse data; strips and fans, and triangles without indices."""
         quantized = [tuple(int(32767 * x) for x in p) for p in CUBE]
@@ -177,7 +147,8 @@ class Kept(Case):
         sparse = {"POSITION": len(file.description["accessors"])}
         file.description["accessors"].append({
             "componentType": 5126, "count": 24, "type": "VEC3", "min": [-1, -1, -1], "max": [1, 1, 1],
-            "sparse": {"count": 24, "indices": {"bufferView": file.view(struct.pack("<24B", *range(24))), "componentType": 5121},
+            "sparse": {"count": 24,
+                       "indices": {"bufferView": file.view(struct.pack("<24B", *range(24))), "componentType": 5121},
                        "values": {"bufferView": file.view(b"".join(struct.pack("<3f", *p) for p in CUBE))}}})
         indices = file.accessor(FACES, "SCALAR", 5123)
         plain = {"POSITION": file.positions([CUBE[v] for v in FACES])}
@@ -198,8 +169,8 @@ class Kept(Case):
         file = Builder()
         attributes = {"POSITION": file.positions(points)}
         parts = [[v for triangle in triangles[i::16] for v in triangle] for i in range(16)]
-        file.description |= {"meshes": [{"primitives": [{"attributes": attributes, "indices": file.accessor(part, "SCALAR", 5123)}
-                                                        for part in parts]}]}
+        file.description |= {"meshes": [{"primitives": [
+            {"attributes": attributes, "indices": file.accessor(part, "SCALAR", 5123)} for part in parts]}]}
         before, after, report = self.edit(file.glb())
         self.assertEqual((report["vertices"], report["components"]), (len(points), 1))
         self.assertEqual(len({json.dumps(primitive["attributes"]) for primitive in after.primitives()}), 1)
@@ -236,8 +207,9 @@ class Kept(Case):
         file = Builder()
         attributes = {"POSITION": file.positions(CUBE), "JOINTS_0": file.accessor([(0, 0, 0, 0)] * 24, "VEC4", 5121),
                       "WEIGHTS_0": file.accessor([(1, 0, 0, 0)] * 24, "VEC4")}
+        primitive = {"attributes": attributes, "indices": file.accessor(FACES, "SCALAR", 5123)}
         file.description |= {"nodes": [{"mesh": 0, "skin": 0, "scale": [50, 1, 1]}, {}], "skins": [{"joints": [1]}],
-                             "meshes": [{"primitives": [{"attributes": attributes, "indices": file.accessor(FACES, "SCALAR", 5123)}]}]}
+                             "meshes": [{"primitives": [primitive]}]}
         self.edit(file.glb())
         self.report("in.glb", "-o", "out.obj")
         self.assertEqual(set(read_obj(self.folder / "out.obj")[0]), set(CUBE))

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import unittest
 
+from gltf_files import full
 from support import Case, main, sphere, to_off, torus
 
 QUADS = [tuple(one) + (two[2],) for one, two in zip(torus(8)[1][::2], torus(8)[1][1::2])]
@@ -124,6 +125,20 @@ class By_others(Case):
         self.validate("out.glb")
         self.report("out.glb", "-o", "again.glb")
         self.validate("again.glb")
+
+    @unittest.skipUnless(has_validator() or shutil.which("assimp"), "the other readers are missing")
+    def test_edited(self):
+        """What was valid stays so, and is read by assimp, whose attributes have to be in order."""
+        for name, content in (("full.glb", full().glb()), ("full.gltf", full().gltf())):
+            self.write(name, content)
+            for out in ("edited.glb", "edited.gltf"):
+                self.report(name, "-o", out)
+                if has_validator():
+                    self.validate(name)
+                    self.validate(out)
+                if shutil.which("assimp"):
+                    run = subprocess.run(["assimp", "info", out], cwd=self.folder, capture_output=True, text=True, check=False)
+                    self.assertIn("Animations:         1", run.stdout)
 
     def validate(self, name):
         run = subprocess.run(["node", "-e", VALIDATE, name], cwd=self.folder, capture_output=True, check=True)

@@ -224,7 +224,8 @@ std::string Data::place_former_views(const std::vector<char>& is_replaced)
     end_if_stop_is_requested();
     const std::size_t buffer = std::get<0>(ranges[first]), begin = std::get<1>(ranges[first]) / alignment * alignment;
     std::size_t end = std::get<2>(ranges[first]);
-    for(last = first + 1; last < ranges.size() && std::get<0>(ranges[last]) == buffer && std::get<1>(ranges[last]) <= end; ++last)
+    const auto is_next = [&](const Range& range) { return std::get<0>(range) == buffer && std::get<1>(range) <= end; };
+    for(last = first + 1; last < ranges.size() && is_next(ranges[last]); ++last)
       end = (std::max)(end, std::get<2>(ranges[last]));
     pad(bytes, '\0', alignment);
     for(std::size_t i = first; i < last; ++i)

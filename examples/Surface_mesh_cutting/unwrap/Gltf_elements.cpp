@@ -90,7 +90,8 @@ std::string_view Elements::checked(const Document& document, const Json& object,
   const std::size_t first = number_or(object, "byteOffset", 0);
   if(stride < size)
     fail_about("has elements that overlap");
-  if(first > bytes.size() || (number > 0 && (bytes.size() - first < size || (bytes.size() - first - size) / stride < number - 1)))
+  if(first > bytes.size()
+     || (number > 0 && (bytes.size() - first < size || (bytes.size() - first - size) / stride < number - 1)))
     fail_about("reaches beyond its view of a buffer");
   return bytes.substr(first);
 }

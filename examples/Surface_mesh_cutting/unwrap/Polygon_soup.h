@@ -47,7 +47,9 @@ struct Polygon_soup
   Obj_statements obj_statements;
   std::shared_ptr<const Ply_source> ply_source;
   std::shared_ptr<const Gltf_source> gltf_source;
-  std::vector<int> point_parts; // per point: only points of the same part are welded; empty if there is one part
+  // Of glTF, whose points are welded within a mesh by the reader, per point: its mesh at a place of the scene, and the point
+  // that it repeats with another color, or itself.
+  std::vector<int> point_parts, originals;
   Data_kinds kinds; // that the file holds, also those that are not kept
   std::vector<std::string> warnings; // about the file
 

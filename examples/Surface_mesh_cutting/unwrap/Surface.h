@@ -38,7 +38,7 @@ struct Surface
     if(vertices.size() != soup.points.size() || polygons.size() != soup.polygon_ends.size())
       return false;
     for(std::size_t v = 0; v < vertices.size(); ++v)
-      if(vertices[v] != int(v))
+      if(vertices[v] != int(v) || (!soup.originals.empty() && soup.originals[v] != int(v)))
         return false;
     return true;
   }

@@ -104,9 +104,8 @@ private:
     }
     Json attributes = json_of(*members.front())["attributes"], targets = gltf::list(json_of(*members.front()), "targets");
     const std::optional<std::size_t> former_uvs = gltf::find_number(attributes, uv_attribute);
-    attributes.erase(uv_attribute);
     repeat_attributes(attributes, targets, vertices, members.size());
-    attributes[uv_attribute] = put_uvs(former_uvs, vertices, members.size());
+    attributes[uv_attribute] = put_uvs(former_uvs, vertices, members.size()); // at its place: some readers want it before others
     for(std::size_t i = 0; i < members.size(); ++i)
     {
       Json& json = json_of(*members[i]);
@@ -133,8 +132,9 @@ private:
     std::map<std::size_t, std::size_t> uses, numbers; // by accessor; its number with repeated vertices
     const auto for_each_reference = [&](auto visit)
     {
-      for(Json& reference : attributes)
-        visit(reference);
+      for(auto attribute = attributes.begin(); attribute != attributes.end(); ++attribute)
+        if(attribute.key() != uv_attribute)
+          visit(attribute.value());
       for(Json& target : targets)
         for(Json& reference : target)
           visit(reference);

@@ -85,7 +85,7 @@ std::string read_uri(const std::string& uri, const fs::path& folder, const std::
     return decoded_data(uri, what);
   const fs::path path = path_of(uri);
   if(folder.empty() || has_scheme(uri) || !is_below_folder(path) || path.string().find('\0') != std::string::npos)
-    fail(what + " is " + quoted(uri) + ", which is not a file in the folder of the glTF file or below it; nothing else is read");
+    fail(what + " is " + quoted(uri) + ", which is not a file in the folder of the glTF file or below it, and so not read");
   try
   {
     return read_bytes((folder / path).string());

@@ -69,11 +69,9 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
   const std::clock_t cpu_start = std::clock();
   const bool is_single = is_gltf(options.output);
   auto result = is_single ? packed(mesh, is_cut, Single_precision_uvs{uvs}, options) : packed(mesh, is_cut, uvs, options);
-  if(is_single && result.status.code == SMC::Status_code::NOT_CERTIFIED)
-  {
+  const bool is_spoiled = is_single && result.status.code == SMC::Status_code::NOT_CERTIFIED;
+  if(is_spoiled)
     result = packed(mesh, is_cut, uvs, options);
-    hold_in_single_precision(mesh, is_cut, uvs, is_injective(options), outcome);
-  }
   add_packing(outcome.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count());
   add_packing(outcome.cpu_seconds, double(std::clock() - cpu_start) / CLOCKS_PER_SEC);
   if(!result.has_result)
@@ -88,6 +86,8 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
     outcome.message = stop_reason() + " before the charts were packed best; the best result so far is written: "
                     + outcome.message;
   }
+  if(is_spoiled)
+    hold_in_single_precision(mesh, is_cut, uvs, is_injective(options), outcome);
   outcome.charts = result.number_of_charts;
   outcome.uv_scale = result.scale;
   outcome.fill = result.fill;

@@ -126,10 +126,12 @@ private:
   void add_mesh(const Instance& instance)
   {
     const Json& mesh = gltf::item(m_document.description(), "meshes", instance.mesh);
-    const std::string name = name_or(gltf::text_of(mesh, "name"), "mesh_" + std::to_string(instance.mesh));
-    say("o " + (instance.node ? name_or(gltf::text_of(gltf::item(m_document.description(), "nodes", *instance.node), "name"), name)
-                              : name));
+    std::string name = name_or(gltf::text_of(mesh, "name"), "mesh_" + std::to_string(instance.mesh));
+    if(instance.node)
+      name = name_or(gltf::text_of(gltf::item(m_document.description(), "nodes", *instance.node), "name"), name);
+    say("o " + name);
     ++m_part;
+    m_originals.clear();
     m_numbers.clear();
     const std::size_t number_of_primitives = gltf::list(mesh, "primitives").size();
     for(std::size_t i = 0; i < number_of_primitives; ++i)
@@ -259,31 +261,34 @@ private:
 
   static std::optional<Polygon_soup::Texture_point> uv_of(const Eigen::Vector2d& uv) { return {{{uv.x(), 1 - uv.y()}}}; }
 
-  // That of a former one of the mesh at the same point, where colors do not tell them apart.
+  // That of a former one of the mesh at the same point with the same color; in a file that is edited, colors stay anyway.
   int number_of_point(const Vertices& vertices, std::size_t i)
   {
     const Eigen::Vector3d p = (vertices.transformation * vertices.points.vector<3>(i).homogeneous()).head<3>();
-    Place place = {{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}}; // -0 becomes 0
+    const Polygon_soup::Point point = {{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}}; // -0 becomes 0
+    std::array<double, 3> color = white;
     if(vertices.colors)
-    {
-      const Eigen::Vector3d color = vertices.colors->vector<3>(i);
-      std::copy(color.data(), color.data() + 3, place.begin() + 3);
-    }
-    else
-      std::copy(white.begin(), white.end(), place.begin() + 3);
-    Place key = place;
-    std::fill(key.begin() + 3, key.end(), 0.0);
+      Eigen::Map<Eigen::Vector3d>(color.data()) = vertices.colors->vector<3>(i);
+    const int next = m_soup.number_of_points();
+    int original = next;
     if(m_attributes.has_merged_points)
-      if(const auto inserted = m_numbers.emplace(key, m_soup.number_of_points()); !inserted.second)
+    {
+      original = m_originals.emplace(point, next).first->second;
+      if(m_attributes.has_gltf_source && original != next)
+        return original;
+      const Place place = {{point[0], point[1], point[2], color[0], color[1], color[2]}};
+      if(const auto inserted = m_numbers.emplace(place, next); !inserted.second)
         return inserted.first->second;
-    m_soup.points.push_back({{place[0], place[1], place[2]}});
+    }
+    m_soup.points.push_back(point);
     m_soup.point_parts.push_back(m_part);
+    m_soup.originals.push_back(original);
     if(vertices.colors)
     {
       m_soup.colors.resize(m_soup.points.size() - 1, white);
-      m_soup.colors.push_back({{place[3], place[4], place[5]}});
+      m_soup.colors.push_back(color);
     }
-    return m_soup.number_of_points() - 1;
+    return next;
   }
 
   const std::shared_ptr<Gltf_source> m_source;
@@ -291,7 +296,8 @@ private:
   const Attributes m_attributes;
   Polygon_soup m_soup;
   int m_part = -1; // the instance
-  std::unordered_map<Place, int, boost::hash<Place> > m_numbers; // of its points
+  std::unordered_map<Polygon_soup::Point, int, boost::hash<Polygon_soup::Point> > m_originals; // of its points
+  std::unordered_map<Place, int, boost::hash<Place> > m_numbers;
   bool m_has_material = false;
 };
 

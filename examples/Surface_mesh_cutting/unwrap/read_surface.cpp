@@ -11,6 +11,7 @@
 #endif
 
 #include <algorithm>
+#include <cstddef>
 
 namespace {
 
@@ -24,6 +25,9 @@ SMC::internal::Soup_surface read(const Polygon_soup& soup, bool do_weld)
     points.emplace_back(p[0], p[1], p[2]);
   SMC::internal::Polygons polygons;
   polygons.vertices = soup.corners;
+  if(!soup.originals.empty())
+    for(int& v : polygons.vertices)
+      v = soup.originals[std::size_t(v)];
   polygons.ends.assign(soup.polygon_ends.begin(), soup.polygon_ends.end());
   using namespace CGAL::Surface_mesh_parameterization::internal;
   return SMC::internal::read_soup(points, polygons, do_weld, execution_of<CGAL::Parallel_if_available_tag>());

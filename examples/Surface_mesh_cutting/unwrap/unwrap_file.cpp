@@ -25,6 +25,8 @@ int number_of_other_polygons(const Polygon_soup& soup)
 
 bool is_welded(const Polygon_soup& soup, const std::string& weld)
 {
+  if(!soup.point_parts.empty())
+    return false; // the reader has done it
   if(weld != "auto")
     return weld == "on";
   return CGAL::Surface_mesh_cutting::internal::are_polygons_apart(soup.corners, soup.points.size(), soup.number_of_polygons());
