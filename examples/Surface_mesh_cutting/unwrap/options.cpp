@@ -1,15 +1,16 @@
 #include "options.h"
 
+#include "argument_checks.h"
 #include "file_extension.h"
 #include "outcome.h"
 #include "run_unwrap.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
 #include <CGAL/version.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
@@ -17,6 +18,8 @@
 #include <system_error>
 
 namespace {
+
+using CGAL::Surface_mesh_cutting::internal::Welding;
 
 const char* const description =
   "Unwraps a mesh: finds a short cut along which the surface opens and flattens with little\n"
@@ -28,7 +31,7 @@ interpreted: vertices and faces keep their number and order (only STL and glTF, 
 get equal ones merged). Faces may have any number of corners; they are never cut across. Edges
 with more than two faces keep pairs of them connected and are open to the others; vertices of
 several fans are as many vertices; where neighbors disagree about which side is up, as few
-faces as possible are read backward; faces with a vertex twice, and faces given again, get the
+faces as possible are read backward; faces without area, and faces given again, get the
 texture coordinates of the place where they lie. The report lists all this in "interpreted";
 --strict refuses it.
 
@@ -97,11 +100,6 @@ Computation:
       the best result found within a minute
 )";
 
-[[noreturn]] void refuse(const std::string& message)
-{
-  throw CLI::ValidationError(message, CLI::ExitCodes::ValidationError);
-}
-
 // Whole decimal numbers, nothing else: CLI11 would take 010 for eight and NaN for in range.
 template <typename Number>
 bool parse_number(const std::string& word, Number& number)
@@ -150,8 +148,12 @@ void add_input_options(CLI::App& app, Options& options)
   const std::string group = "Input";
   app.add_flag("--strict", options.is_strict, "Refuse what is otherwise interpreted (see below)")->group(group);
   app.add_option("--weld", options.weld,
-                 "Whether vertices at exactly the same point count as one;\nauto: for STL, and where (nearly) no faces share a vertex")
+                 "Whether vertices at exactly the same point count as one;\nauto: for STL, where (nearly) no faces share a vertex, and\n"
+                 "where pieces of a few faces nearly all meet at their borders")
     ->check(CLI::IsMember({"auto", "on", "off"}))->default_str(options.weld)->group(group);
+  add_number<double>(app, "--weld-tolerance", options.weld_tolerance,
+                     "Weld vertices within T bounding box diagonals, too", 0, Welding::maximal_tolerance)
+    ->type_name("T")->default_str("0")->group(group);
 }
 
 void add_layout_options(CLI::App& app, Options& options, const std::string& group)
@@ -277,61 +279,13 @@ void add_run_options(CLI::App& app, Options& options)
     ->type_name("S")->default_str("none")->group(group);
 }
 
-// As CLI11 would take the next option for the value of one that has none. A file of such a name can
-// be given as ./--name or --option=--name.
-bool looks_like_option(const std::string& argument)
-{
-  return argument.size() > 1 && argument[0] == '-'
-         && (argument[1] == '-' || std::isalpha(static_cast<unsigned char>(argument[1])));
-}
-
-void check_values(const CLI::App& app, int argc, char** argv)
-{
-  for(int i = 1; i < argc; ++i)
-  {
-    const std::string name = argv[i];
-    if(looks_like_option(name) && name.find('=') == name.size() - 1) // here, too
-      refuse(name.substr(0, name.size() - 1) + ": the value is empty");
-    if(i + 1 == argc)
-      return;
-    const std::string value = argv[i + 1];
-    const CLI::Option* const option = looks_like_option(name) ? app.get_option_no_throw(name) : nullptr;
-    if(option == nullptr || option->get_expected_max() == 0)
-      continue;
-    if(looks_like_option(value))
-      refuse(name + ": a value is missing before " + value);
-    ++i;
-  }
-}
-
-// An empty name of a file is that of an unset variable of a shell, and not no file.
-void check_no_value_is_empty(const CLI::App& app)
-{
-  for(const CLI::Option* const option : app.get_options())
-    for(const std::string& value : option->results())
-      if(value.empty())
-        refuse(option->get_name() + ": the value is empty");
-}
-
-// Where the report goes if the command line cannot be understood as a whole.
-std::string find_json_file(int argc, char** argv)
-{
-  for(int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    if(argument == "--json" && i + 1 < argc)
-      return looks_like_option(argv[i + 1]) ? "" : argv[i + 1];
-    if(argument.compare(0, 7, "--json=") == 0)
-      return argument.substr(7);
-  }
-  return "";
-}
-
 // What the options mean together.
 void complete(Options& options)
 {
   if(options.uv_scale == "unit" && !(2 * options.margin < options.texture_size))
     refuse("--margin must be less than half of --texture-size");
+  if(options.weld == "off" && options.weld_tolerance > 0)
+    refuse("--weld-tolerance needs --weld on or auto");
   if(options.output.empty())
     options.output = std::filesystem::path(name_of_input(options.input)).stem().string() + ".uv.obj";
 }
