@@ -27,6 +27,10 @@
 #include <string>
 #include <vector>
 
+#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
