@@ -128,7 +128,7 @@ class Soups(Case):
         report, _ = self.layout(mesh, "--effort", "fast", "--weld", "off")
         self.assertEqual(report["components"], 96)
         self.assertEqual([w for w in report["warnings"] if "--weld" in w],
-                         ["288 border vertices are at the same point as another one; with --weld on, the surface has "
+                         ["288 vertices are at the same point as another one; with --weld on, the surface has "
                           "1 piece instead of 96"])
         # Two halves of a sheet that were separated on purpose stay apart, with a word on it.
         points, faces = halved_quads(6, 6)

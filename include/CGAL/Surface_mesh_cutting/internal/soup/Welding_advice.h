@@ -54,7 +54,7 @@ struct Welding_words
   std::string message(const Welding_advice& advice) const
   {
     std::ostringstream text;
-    text << advice.vertices << (advice.vertices == 1 ? " border vertex is" : " border vertices are");
+    text << advice.vertices << (advice.vertices == 1 ? " vertex is" : " vertices are");
     if(advice.tolerance > 0)
       text << " within " << advice.tolerance << " bounding box diagonals of another one; with " << before_tolerance
            << advice.tolerance << after_tolerance;
@@ -70,8 +70,8 @@ struct Welding_words
   }
 };
 
-// Finds out whether welding, or welding within a tolerance, would leave fewer pieces. Linear in the length of the border where
-// it would not.
+// Finds out whether welding, or welding border vertices within a tolerance, would leave fewer pieces. Linear time unless some
+// are near enough.
 class Welding_adviser
 {
 public:
@@ -89,13 +89,15 @@ public:
 
   Welding_advice operator()() const
   {
-    const Welding_advice exact = m_surface.is_welded ? Welding_advice() : advice(0);
+    const Welding_advice exact = m_surface.is_welded ? Welding_advice() : advice(0, number_of_welded(m_soup, 0));
+    const int number_of_equal = number_of_welded(m_border, 0);
     Welding_advice best = exact;
     for(const double tolerance : {1e-5, 1e-6, 1e-7, 1e-8}) // the least one that helps
     {
-      if((m_surface.is_welded && tolerance <= m_welding.tolerance) || number_of_welded(tolerance) == exact.vertices)
+      const int number = number_of_welded(m_border, tolerance);
+      if((m_surface.is_welded && tolerance <= m_welding.tolerance) || number == number_of_equal)
         break;
-      const Welding_advice next = advice(tolerance);
+      const Welding_advice next = advice(tolerance, number);
       const bool is_better = best.tolerance > 0 ? next.pieces_if_welded == best.pieces_if_welded
                                                 : next.pieces_if_welded < (exact ? exact.pieces_if_welded : next.pieces);
       if(!is_better)
@@ -106,21 +108,20 @@ public:
   }
 
 private:
-  // Of the border, so that this is 0 for what has no border.
-  int number_of_welded(double tolerance) const
+  int number_of_welded(const Polygons& polygons, double tolerance) const
   {
-    const std::vector<int> first = Welded_vertices(m_points, m_border, tolerance, m_welding.parts).representatives();
+    const std::vector<int> first = Welded_vertices(m_points, polygons, tolerance, m_welding.parts).representatives();
     int number = 0;
     for(int v = 0; v < int(first.size()); ++v)
       number += first[v] != v;
     return number;
   }
 
-  Welding_advice advice(double tolerance) const
+  Welding_advice advice(double tolerance, int number_of_vertices) const
   {
     Welding_advice result;
     result.tolerance = tolerance;
-    result.vertices = number_of_welded(tolerance);
+    result.vertices = number_of_vertices;
     if(result.vertices == 0)
       return result;
     const Soup_surface welded = read_soup(m_points, m_soup, {Welding::ON, tolerance, m_welding.parts}, m_execution);
