@@ -20,7 +20,9 @@ _INTERPRETED = {
     "non_manifold_vertices": "Vertices that connect faces without a common edge",
     "reoriented_faces": "Faces that point the other way than their neighbors (Mesh > Normals > Recalculate Outside)",
     "non_orientable_edges": "Edges that became seams because the surface has only one side, like a Moebius strip",
-    "degenerate_faces": "Faces that use a vertex twice (Mesh > Clean Up > Degenerate Dissolve)",
+    "degenerate_faces": "Faces without area (Mesh > Clean Up > Degenerate Dissolve)",
+    "repeated_corners": "Faces with corners that repeat others (Mesh > Clean Up > Degenerate Dissolve)",
+    "divided_faces": "Faces that visit a vertex several times",
     "duplicate_faces": "Faces that exist more than once (Mesh > Merge > By Distance)",
     "welded_vertices": "Vertices at the same place as others (Mesh > Merge > By Distance)",
 }

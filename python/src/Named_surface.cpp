@@ -7,8 +7,6 @@
 
 #include "Named_surface.h"
 
-#include <CGAL/Surface_mesh_cutting/internal/soup/are_polygons_apart.h>
-
 #include <limits>
 #include <numeric>
 #include <string>
@@ -32,10 +30,12 @@ const char* description(SMC::Interpretation_kind kind)
   case SMC::Interpretation_kind::NON_MANIFOLD_EDGES:    return "edges with more than two polygons";
   case SMC::Interpretation_kind::NON_MANIFOLD_VERTICES: return "vertices whose polygons form several fans";
   case SMC::Interpretation_kind::REORIENTED_FACES:      return "polygons that are oriented unlike their neighbors";
-  case SMC::Interpretation_kind::DEGENERATE_FACES:      return "polygons without three different points or more";
+  case SMC::Interpretation_kind::DEGENERATE_FACES:      return "polygons without area";
   case SMC::Interpretation_kind::DUPLICATE_FACES:       return "polygons that are there twice";
   case SMC::Interpretation_kind::WELDED_VERTICES:       return "points at the same place";
   case SMC::Interpretation_kind::NON_ORIENTABLE_EDGES:  return "edges of a surface that has only one side";
+  case SMC::Interpretation_kind::REPEATED_CORNERS:      return "polygons with corners that repeat others";
+  case SMC::Interpretation_kind::DIVIDED_FACES:         return "polygons that visit a point several times";
   }
   return "";
 }
@@ -69,14 +69,6 @@ void Named_surface::check_strictly() const
   const bool is_degenerate = first.kind == SMC::Interpretation_kind::DEGENERATE_FACES;
   refuse(is_degenerate ? Status_code::NOT_TRIANGULATED : Status_code::NON_MANIFOLD, description(first.kind),
          std::move(elements));
-}
-
-bool Named_surface::is_welded() const
-{
-  if(m_arguments.weld != Weld::AUTO)
-    return m_arguments.weld == Weld::ON;
-  const Polygon_soup_view& soup = m_arguments.soup;
-  return SMC::internal::are_polygons_apart(soup.corners, soup.number_of_points(), int(soup.number_of_polygons()));
 }
 
 std::vector<std::size_t> Named_surface::representatives(const Soup_adapter& adapter) const
@@ -140,7 +132,10 @@ void Named_surface::find_terminals(const Soup_adapter& adapter)
 Soup_adapter Named_surface::read()
 {
   check_size();
-  Soup_adapter adapter(m_arguments.soup.points(), m_arguments.soup.polygons(), !m_arguments.is_strict && is_welded());
+  const SMC::internal::Welding_words words = {"weld='on'", "weld_tolerance=", ""};
+  const SMC::internal::Welding none;
+  Soup_adapter adapter(m_arguments.soup.points(), m_arguments.soup.polygons(), m_arguments.is_strict ? none : m_arguments.welding,
+                       SMC::internal::Execution::SEQUENTIAL, m_arguments.is_strict ? nullptr : &words);
   m_interpreted = adapter.surface().findings;
   if(m_arguments.is_strict && (adapter.status() || adapter.status().finding.code == Status_code::EMPTY_MESH))
     check_strictly();

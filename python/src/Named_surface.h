@@ -33,12 +33,10 @@ using SMC::internal::Soup_adapter;
 // Results do not depend on it.
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
-enum class Weld { AUTO, ON, OFF }; // AUTO: where (nearly) no two polygons share a point
-
 struct Surface_arguments
 {
   Polygon_soup_view soup;
-  Weld weld = Weld::AUTO;
+  SMC::internal::Welding welding;
   bool is_strict = false; // whether to refuse what would have to be interpreted
   // Two points for each edge.
   Indices mandatory_edges, forbidden_edges, initial_cut, weighted_edges;
@@ -74,7 +72,6 @@ public:
 private:
   void check_size() const;
   void check_strictly() const;
-  bool is_welded() const;
   std::vector<std::size_t> representatives(const Soup_adapter& adapter) const;
   Named_edges find(const char* name, const Indices& pairs, const Soup_adapter& adapter) const;
   void find_terminals(const Soup_adapter& adapter);

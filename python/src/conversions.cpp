@@ -15,9 +15,10 @@ namespace binding {
 
 namespace {
 
-Weld weld_of(const std::string& name)
+SMC::internal::Welding::Mode mode_of(const std::string& name)
 {
-  return name == "on" ? Weld::ON : name == "off" ? Weld::OFF : Weld::AUTO;
+  using SMC::internal::Welding;
+  return name == "on" ? Welding::ON : name == "off" ? Welding::OFF : Welding::AUTO;
 }
 
 } // namespace
@@ -38,7 +39,8 @@ Surface_arguments read_surface_arguments(const Call& call)
   read(call, "strict", arguments.is_strict);
   std::string weld;
   read(call, "weld", weld);
-  arguments.weld = weld_of(weld);
+  arguments.welding.mode = mode_of(weld);
+  read(call, "weld_tolerance", arguments.welding.tolerance);
   return arguments;
 }
 

@@ -47,14 +47,19 @@ class SurfaceOptions(RunOptions, total=False):
     Parameters
     ----------
     weld : {"auto", "on", "off"} or bool
-        Whether points at exactly the same place count as one; by default where (nearly) no two faces share a point:
-        at most one corner in a hundred. `True` is "on", `False` is "off".
+        Whether points at exactly the same place count as one; by default where (nearly) no two faces share a point (at
+        most one corner in a hundred), and where pieces of at most ten faces on average meet at three quarters of their
+        border edges or more, always two in opposite directions. `True` is "on", `False` is "off".
+    weld_tolerance : float
+        From 0 (default) to 0.01: points within this share of the diagonal of the bounding box count as one, too, also by
+        way of others between them. "auto" is "on" then.
     strict : bool
         Whether to refuse what is otherwise interpreted: polygons, places that are not manifold, inconsistent
         orientation, degenerate and duplicate faces. Points are then not welded. Default: `False`.
     """
 
     weld: Union[Literal["auto", "on", "off"], bool]
+    weld_tolerance: float
     strict: bool
 
 
@@ -224,6 +229,13 @@ def _weld(name: str, value: Any) -> str:
     return choice("auto", "on", "off")(name, value)
 
 
+def _weld_tolerance(name: str, value: Any) -> float:
+    number = real(name, value)
+    if not 0 <= number <= 0.01:
+        raise ValueError(f"{name} must be from 0 to 0.01, not {number}")
+    return number
+
+
 def _terminals(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.int64]]:
     return _arrays.vector(name, _arrays.indices(name, value))
 
@@ -231,7 +243,7 @@ def _terminals(name: str, value: Any) -> np.ndarray[Any, np.dtype[np.int64]]:
 INT_MAX = 2**31 - 1
 _READERS: dict[str, Callable[[str, Any], Any]] = {
     "threads": integer(1, 4096), "time_limit": seconds, "progress": _callback,
-    "weld": _weld, "strict": flag,
+    "weld": _weld, "weld_tolerance": _weld_tolerance, "strict": flag,
     "mandatory_edges": _arrays.edges, "forbidden_edges": _arrays.edges, "initial_cut": _arrays.edges,
     "terminals": _terminals,
     "connection": choice(*CONNECTIONS), "maximum_number_of_states": integer(0, 2**63 - 1),
@@ -285,4 +297,6 @@ def read(function: Callable[..., Any], kind: type, options: Mapping[str, Any]) -
             result.update(_read_weights(name, value))
         else:
             result[name] = _READERS[name](name, value)
+    if result.get("weld") == "off" and result.get("weld_tolerance", 0) > 0:
+        raise ValueError("weld_tolerance needs weld='on' or 'auto'")
     return result

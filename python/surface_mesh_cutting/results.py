@@ -23,7 +23,8 @@ class Interpretation:
     ----------
     what : str
         ``"non_manifold_edges"``, ``"non_manifold_vertices"``, ``"reoriented_faces"``, ``"degenerate_faces"``,
-        ``"duplicate_faces"``, ``"welded_vertices"`` or ``"non_orientable_edges"``.
+        ``"duplicate_faces"``, ``"welded_vertices"``, ``"non_orientable_edges"``, ``"repeated_corners"`` or
+        ``"divided_faces"``.
     elements : numpy.ndarray of int64
         Indices of points or faces, of shape (k,), or pairs of points, of shape (k, 2).
     """

@@ -42,6 +42,9 @@ def test_shapes_of_faces():
 
 @pytest.mark.parametrize("options, error", [
     (dict(effort="most"), ValueError), (dict(effort=1), TypeError), (dict(weld=1), TypeError),
+    (dict(weld_tolerance=-1), ValueError), (dict(weld_tolerance=float("nan")), ValueError),
+    (dict(weld_tolerance=0.1), ValueError), (dict(weld_tolerance="0"), TypeError),
+    (dict(weld="off", weld_tolerance=1e-6), ValueError),
     (dict(uv_scale="large"), ValueError), (dict(strict=1), TypeError), (dict(bijective="yes"), TypeError),
     (dict(threads=0), ValueError), (dict(threads=1.5), TypeError), (dict(seed=-1), ValueError),
     (dict(seed=2**32), ValueError), (dict(time_limit=0), ValueError), (dict(time_limit=float("nan")), ValueError),
@@ -95,6 +98,33 @@ def test_weld_is_on_or_off():
     soup, alone = POINTS[FACES].reshape(-1, 3), np.arange(FACES.size).reshape(FACES.shape)
     assert smc.greedy_cut(soup, alone, weld=True).components == 1
     assert smc.greedy_cut(soup, alone, weld=np.False_).components == len(FACES)
+
+
+def test_weld_tolerance():
+    """Warnings name the parameters of this module."""
+    soup, alone = POINTS[FACES].reshape(-1, 3), np.arange(FACES.size).reshape(FACES.shape)
+    moved = soup + 1e-7 * np.sin(np.arange(soup.size)).reshape(soup.shape)
+    result = smc.greedy_cut(moved, alone)
+    assert result.components == len(FACES)
+    assert any("with weld_tolerance=1e-0" in str(warning) for warning in result.warnings)
+    assert smc.greedy_cut(moved, alone, weld_tolerance=1e-5).components == 1
+    result = smc.greedy_cut(soup, alone, weld="off")
+    assert any("with weld='on', the surface has 1 piece" in str(warning) for warning in result.warnings)
+    assert not smc.greedy_cut(soup, alone).warnings
+
+
+def test_points_that_no_face_uses():
+    points = np.concatenate([POINTS, [[np.nan, np.inf, 0]]])
+    assert smc.unwrap(points, FACES).number_of_charts == smc.unwrap(POINTS, FACES).number_of_charts
+    with pytest.raises(smc.InputError):
+        smc.unwrap(points, np.concatenate([FACES, [[0, 1, len(POINTS)]]]))
+
+
+def test_polygon_with_a_hole():
+    points = np.array([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (1, 1, 0), (3, 1, 0), (3, 3, 0), (1, 3, 0)], float)
+    result = smc.unwrap(points, [0, 1, 2, 3, 0, 4, 7, 6, 5, 4], [0, 10], uv_scale="surface")
+    assert not result.interpreted and result.average_distortion == pytest.approx(4)
+    assert smc.certify_unwrap(points, [0, 1, 2, 3, 0, 4, 7, 6, 5, 4], result.corner_uv, [0, 10])
 
 
 def refused(*arguments, **options):

@@ -3,18 +3,20 @@
 
 #include "checks.h"
 #include "polygon_soups.h"
+#include "soup_definitions.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrapped_polygon_soup.h>
 #include <CGAL/Surface_mesh_cutting/unwrap_polygon_soup.h>
 
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/algorithm.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -35,64 +37,6 @@ std::vector<Kernel::Point_3> points_of(const Soup& soup)
     points.emplace_back(p[0], p[1], p[2]);
   return points;
 }
-
-bool is_degenerate(const Polygon& polygon)
-{
-  return polygon.size() < 3 || std::set<std::size_t>(polygon.begin(), polygon.end()).size() < polygon.size();
-}
-
-Polygon from_lowest(Polygon polygon)
-{
-  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
-  return polygon;
-}
-
-// What the definitions say.
-struct Brute_force
-{
-  std::vector<std::size_t> degenerate, duplicates, non_manifold_vertices;
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t> > edges; // polygons of the surface at them
-  std::set<std::size_t> left_out;
-
-  explicit Brute_force(const Soup& soup)
-  {
-    std::set<Polygon> former;
-    std::map<std::size_t, std::set<std::size_t> > polygons_at;
-    for(std::size_t p = 0; p < soup.faces.size(); ++p)
-    {
-      const Polygon& polygon = soup.faces[p];
-      if(is_degenerate(polygon))
-        degenerate.push_back(p);
-      else if(!former.insert(from_lowest(polygon)).second)
-        duplicates.push_back(p);
-      else
-        for(std::size_t k = 0; k < polygon.size(); ++k)
-        {
-          edges[std::minmax({polygon[k], polygon[(k + 1) % polygon.size()]})].push_back(p);
-          polygons_at[polygon[k]].insert(p);
-        }
-    }
-    left_out.insert(degenerate.begin(), degenerate.end());
-    left_out.insert(duplicates.begin(), duplicates.end());
-    for(const auto& [v, polygons] : polygons_at)
-      if(!hang_together(v, polygons))
-        non_manifold_vertices.push_back(v);
-  }
-
-  bool hang_together(std::size_t v, const std::set<std::size_t>& polygons) const
-  {
-    std::set<std::size_t> reached = {*polygons.begin()};
-    for(std::size_t size = 0; size < reached.size();)
-    {
-      size = reached.size();
-      for(const auto& [edge, at_edge] : edges)
-        if((edge.first == v || edge.second == v) &&
-           std::any_of(at_edge.begin(), at_edge.end(), [&](std::size_t p) { return reached.count(p) > 0; }))
-          reached.insert(at_edge.begin(), at_edge.end());
-    }
-    return reached.size() == polygons.size();
-  }
-};
 
 const SMC::Interpretation* find(const SMC::Unwrap_soup_result& result, Kind kind)
 {
@@ -124,7 +68,7 @@ double signed_area(const std::vector<Kernel::Point_2>& polygon)
 
 void check_findings(const std::string& name, const Soup& soup, const SMC::Unwrap_soup_result& result)
 {
-  const Brute_force expected(soup);
+  const test::Brute_force expected(soup);
   check(polygons(result, Kind::DEGENERATE_FACES) == expected.degenerate, name + ": degenerate faces");
   check(polygons(result, Kind::DUPLICATE_FACES) == expected.duplicates, name + ": duplicate faces");
   const SMC::Interpretation* const vertices = find(result, Kind::NON_MANIFOLD_VERTICES);
@@ -144,14 +88,15 @@ void check_findings(const std::string& name, const Soup& soup, const SMC::Unwrap
   if(const SMC::Interpretation* const open = find(result, Kind::NON_ORIENTABLE_EDGES))
     for(const auto& edge : open->edges)
       one_sided.insert({edge[0], edge[1]});
+  // A polygon and its reverse are no neighbors, and a bridge of a polygon has that on both sides.
   const std::vector<std::size_t> turned = polygons(result, Kind::REORIENTED_FACES);
   for(const auto& [edge, at_edge] : expected.edges)
-    if(at_edge.size() == 2)
+    if(at_edge.size() == 2 && at_edge[0] != at_edge[1] && !test::are_reverse(soup.faces[at_edge[0]], soup.faces[at_edge[1]]))
     {
       int up = 0;
       for(const std::size_t p : at_edge)
       {
-        const Polygon& polygon = soup.faces[p];
+        const Polygon polygon = test::without_repetitions(soup.faces[p]);
         const std::size_t k = std::find(polygon.begin(), polygon.end(), edge.first) - polygon.begin();
         const bool is_upward = polygon[(k + 1) % polygon.size()] == edge.second;
         up += is_upward != std::binary_search(turned.begin(), turned.end(), p);
@@ -239,10 +184,38 @@ void test_non_manifold()
     const SMC::Unwrap_soup_result result = unwrap("two tetrahedra", soup);
     check(result.components == 2 && result.borders == 0 && result.genus == 0, "two closed tetrahedra");
   }
-  Soup two_sided;
-  two_sided.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  two_sided.faces = {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}};
-  unwrap("two-sided square", two_sided);
+  // Sheets with a front and a back.
+  for(int n : {1, 3, 8})
+  {
+    Soup two_sided = test::quads(n, n, false, false);
+    const std::size_t number = two_sided.faces.size();
+    for(std::size_t f = 0; f < number; ++f)
+      two_sided.faces.push_back({two_sided.faces[f][2], two_sided.faces[f][1], two_sided.faces[f][0]});
+    const SMC::Unwrap_soup_result result = unwrap("two-sided sheet", two_sided);
+    check(result.components == 2 && result.borders == 2 && count(result, Kind::REORIENTED_FACES) == 0,
+          "front and back of a sheet");
+  }
+  for(int k : {9, 40, 101})
+    check(unwrap("many sheets", test::book(k, 1)).components == (k + 1) / 2, "pairs of many sheets stay connected");
+}
+
+// Comparing all pairs of sides would take hours.
+void test_edge_of_many_sheets()
+{
+  constexpr int number = 100000;
+  const Soup soup = test::book(number, 1);
+  std::vector<SMC::internal::Point> points;
+  for(const std::array<double, 3>& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  SMC::internal::Polygons polygons;
+  for(const Polygon& polygon : soup.faces)
+  {
+    polygons.vertices.insert(polygons.vertices.end(), polygon.begin(), polygon.end());
+    polygons.close();
+  }
+  const SMC::internal::Soup_surface surface
+    = SMC::internal::read_soup(points, polygons, SMC::internal::Welding(), SMC::internal::Execution::SEQUENTIAL);
+  check(std::count(surface.opposites.begin(), surface.opposites.end(), -1) == 3 * number, "sheets in pairs");
 }
 
 void test_orientation()
@@ -288,6 +261,67 @@ void test_left_out()
         "an index out of range");
 }
 
+// A vertex that no polygon uses, a polygon with a hole, and what is no polygon after all.
+void test_odd_polygons()
+{
+  Soup plate;
+  plate.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0},
+                  {std::nan(""), 0, 0}};
+  plate.faces = {{0, 1, 2, 3, 0, 4, 7, 6, 5, 4}};
+  const SMC::Unwrap_soup_result whole = unwrap("plate with a hole", plate);
+  check(whole.borders == 2 && whole.interpreted.empty(), "a bridge is no border");
+  for(int n : {20, 200}) // and a round hole
+  {
+    Soup round = plate;
+    round.points.resize(4);
+    round.faces[0] = {0, 1, 2, 3, 0};
+    for(int i = 0; i <= n; ++i)
+    {
+      const double angle = -2 * CGAL_PI * (i % n) / n - 2.3;
+      round.faces[0].push_back(4 + std::size_t(i % n));
+      if(i < n)
+        round.points.push_back({2 + std::cos(angle), 2 + std::sin(angle), 0});
+    }
+    const SMC::Unwrap_soup_result result = unwrap("plate with a round hole", round);
+    check(result.borders == 2 && std::abs(result.average_distortion - 4) < 0.1, "a flat ring");
+  }
+  plate.points[8] = {9, 0, 0};
+  plate.faces = {{0, 1, 2, 0, 3, 8}, {1, 1, 8, 5}, {4, 5, 6, 5}, {4, 5, 4, 7, 4}};
+  const std::vector<Kernel::Point_3> points = points_of(plate);
+  Corner_uvs uvs;
+  const SMC::Unwrap_soup_result result = SMC::unwrap_polygon_soup(points, plate.faces, uvs);
+  check(bool(result) && polygons(result, Kind::DIVIDED_FACES) == std::vector<std::size_t>({0}), "two loops");
+  check(polygons(result, Kind::REPEATED_CORNERS) == std::vector<std::size_t>({1}) && uvs[1][0] == uvs[1][1], "one corner");
+  check(polygons(result, Kind::DEGENERATE_FACES) == std::vector<std::size_t>({2, 3}), "there and back");
+  check(bool(SMC::certify_unwrapped_polygon_soup(points, plate.faces, uvs)), "a certificate");
+  uvs[1][1] = Kernel::Point_2(uvs[1][1].x() + 1, uvs[1][1].y());
+  check(!SMC::certify_unwrapped_polygon_soup(points, plate.faces, uvs), "a repeated corner elsewhere is torn off");
+}
+
+void test_tolerance()
+{
+  Soup soup = test::without_indices(test::whole_quads(8, 6, true, true));
+  CGAL::Random random(1);
+  for(std::array<double, 3>& p : soup.points)
+    for(double& x : p)
+      x += random.get_double(-1e-7, 1e-7);
+  const std::vector<Kernel::Point_3> points = points_of(soup);
+  Corner_uvs uvs;
+  const auto pieces = [&](bool do_weld, double tolerance)
+  {
+    return SMC::unwrap_polygon_soup(points, soup.faces, uvs,
+                                    CGAL::parameters::do_weld_points(do_weld).weld_tolerance(tolerance));
+  };
+  check(pieces(true, 0).components == 48 && pieces(true, 1e-9).components == 48, "not near enough");
+  check(pieces(true, 1e-6).components == 1 && pieces(true, 1e-3).genus == 1, "near enough");
+  for(double wrong : {-1., 0.1, std::nan("")})
+    check(pieces(true, wrong).status.code == SMC::Status_code::WRONG_PARAMETER, "a wrong tolerance");
+  const SMC::Unwrap_soup_result warned = pieces(true, 0);
+  check(std::any_of(warned.status.warnings.begin(), warned.status.warnings.end(), [](const auto& warning)
+                    { return warning.message.find("weld_tolerance(1e-07)") != std::string::npos; }),
+        "a tolerance that helps");
+}
+
 void test_welding()
 {
   const Soup torus = test::whole_quads(8, 6, true, true);
@@ -309,9 +343,15 @@ void test_random(CGAL::Random& random)
       soup.points.push_back({random.get_double(), random.get_double(), random.get_double()});
     for(int f = random.get_int(1, 25); f > 0; --f)
     {
+      std::vector<std::size_t> vertices(number_of_points);
+      std::iota(vertices.begin(), vertices.end(), std::size_t(0));
+      CGAL::cpp98::random_shuffle(vertices.begin(), vertices.end(), random);
       Polygon polygon;
-      for(int k = random.get_int(3, 5 + i % 4); k > 0; --k)
-        polygon.push_back(std::size_t(random.get_int(0, number_of_points)));
+      for(int k = random.get_int(3, 5 + i % 4); k > 0 && !vertices.empty(); --k)
+      {
+        polygon.insert(polygon.end(), random.get_int(0, 5) == 0 ? 2 : 1, vertices.back());
+        vertices.pop_back();
+      }
       soup.faces.push_back(polygon);
     }
     soup.faces.push_back({0, 1, 2});
@@ -325,9 +365,12 @@ int main()
   std::cout << "seed " << random.get_seed() << std::endl;
   test_polygons();
   test_non_manifold();
+  test_edge_of_many_sheets();
   test_orientation();
   test_left_out();
+  test_odd_polygons();
   test_welding();
+  test_tolerance();
   test_random(random);
   return test::exit_status();
 }

@@ -37,7 +37,8 @@ Soup_surface random_surface(CGAL::Random& random)
       polygons.vertices.push_back(random.get_int(0, int(points.size())));
     polygons.close();
   }
-  return CGAL::Surface_mesh_cutting::internal::read_soup(points, polygons, true, execution);
+  return CGAL::Surface_mesh_cutting::internal::read_soup(
+    points, polygons, {CGAL::Surface_mesh_cutting::internal::Welding::ON, 0, {}}, execution);
 }
 
 Mesh add_one_by_one(const Soup_surface& surface)

@@ -90,7 +90,7 @@ class Statements(Case):
 
     def test_names_that_end_in_a_backslash(self):
         """A folder's name does not take the next statement with it, in no reader."""
-        text = "mtllib C:\\\n" + TRIANGLE + "g C:\\\nusemtl D:\\\nf 1 2 3\no E:\\\n\nf 1 2 3\n"
+        text = "mtllib C:\\\n" + TRIANGLE + "g C:\\\nusemtl D:\\\nf 1 2 3\no E:\\\n\nf 3 2 1\n"
         out, warnings = self.kept(text)
         self.assertEqual(warnings, [])
         for line in ("mtllib C:\\", "g C:\\", "usemtl D:\\", "o E:\\"):

@@ -6,6 +6,8 @@
 #include "Mesh.h"
 #include "Polygon_soup.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
+
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -27,25 +29,30 @@ struct Surface
 {
   Mesh mesh;
   std::vector<int> vertices;      // per vertex of the mesh, that of the soup
-  std::vector<int> polygons;      // per face of the mesh
+  std::vector<int> polygons;      // per face of the mesh, the one that it is, or is a loop of
   std::vector<int> corners;       // per halfedge, the corner of the soup at its target; -1 on a border
   std::vector<Halfedge> halfedges; // per corner of the soup, the one to the corner whose UV it has
   std::vector<Interpretation> interpreted;
+  std::vector<std::string> warnings; // of what the user should know
 
   // Whether vertices and faces have the same numbers in both.
   bool is_like_soup(const Polygon_soup& soup) const
   {
-    if(vertices.size() != soup.points.size() || polygons.size() != soup.polygon_ends.size())
+    const auto counts = [](const std::vector<int>& numbers, std::size_t size)
+    {
+      for(std::size_t i = 0; i < numbers.size(); ++i)
+        if(numbers[i] != int(i))
+          return false;
+      return numbers.size() == size;
+    };
+    if(!counts(soup.originals, soup.originals.size()))
       return false;
-    for(std::size_t v = 0; v < vertices.size(); ++v)
-      if(vertices[v] != int(v) || (!soup.originals.empty() && soup.originals[v] != int(v)))
-        return false;
-    return true;
+    return counts(vertices, soup.points.size()) && counts(polygons, soup.polygon_ends.size());
   }
 };
 
-// `do_weld`: whether vertices at exactly the same point are one. Indices are in range and points finite. Throws a
-// `Failure` with `Exit_code::UNSUPPORTED` if no polygon is part of a surface.
-Surface read_surface(const Polygon_soup& soup, bool do_weld);
+// Indices are in range, and points that polygons use finite. Throws a `Failure` with `Exit_code::UNSUPPORTED` if no polygon is
+// part of a surface.
+Surface read_surface(const Polygon_soup& soup, const CGAL::Surface_mesh_cutting::internal::Welding& welding);
 
 #endif // UNWRAP_SURFACE_H

@@ -38,28 +38,27 @@ std::string to_column(const char* id, const std::vector<Value>& values)
   return to_buffer<Number>(id, rows);
 }
 
-// Coordinates of type `float` suffice around the middle of the surface.
-std::vector<std::array<double, 3> > centered(std::vector<std::array<double, 3> > points)
+// Coordinates of type `float` suffice around the middle of the surface. Points that no face uses are there.
+std::vector<std::array<double, 3> > centered_points(const Layout& layout)
 {
-  if(points.empty())
-    return points;
-  for(std::size_t i = 0; i < 3; ++i)
+  std::vector<std::array<double, 3> > points(layout.points.size(), {{0, 0, 0}});
+  for(std::size_t i = 0; i < 3 && !layout.corners.empty(); ++i)
   {
-    double low = points[0][i], high = low;
-    for(const auto& p : points)
+    double low = layout.points[std::size_t(layout.corners.front())][i], high = low;
+    for(const int v : layout.corners)
     {
-      low = (std::min)(low, p[i]);
-      high = (std::max)(high, p[i]);
+      low = (std::min)(low, layout.points[std::size_t(v)][i]);
+      high = (std::max)(high, layout.points[std::size_t(v)][i]);
     }
-    for(auto& p : points)
-      p[i] -= 0.5 * low + 0.5 * high;
+    for(const int v : layout.corners)
+      points[std::size_t(v)][i] = layout.points[std::size_t(v)][i] - (0.5 * low + 0.5 * high);
   }
   return points;
 }
 
 std::string to_buffers(const Layout& layout)
 {
-  std::vector<std::array<double, 3> > points = centered(layout.points);
+  std::vector<std::array<double, 3> > points = centered_points(layout);
   for(auto& p : points)
     for(double& coordinate : p)
       coordinate /= layout.bounding_box_diagonal;

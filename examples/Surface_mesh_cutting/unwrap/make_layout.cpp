@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -68,13 +69,14 @@ private:
                      adapter.to_halfedge_at_source(3 * t + 2)}});
   }
 
-  // The halfedges to the corners of a triangle, from the one with which the file begins the face.
+  // The halfedges to the corners of a triangle, from the one that the file lists first.
   std::array<Halfedge, 3> halfedges_from_file(Face f) const
   {
-    Halfedge h = m_mesh.halfedge(f);
-    while(m_surface.corners[h] != int(m_soup.first_corner(m_surface.polygons[f])))
-      h = m_mesh.next(h);
-    return {{h, m_mesh.next(h), m_mesh.prev(h)}};
+    const Halfedge h = m_mesh.halfedge(f);
+    std::array<Halfedge, 3> result = {{h, m_mesh.next(h), m_mesh.prev(h)}};
+    const auto is_before = [&](Halfedge a, Halfedge b) { return m_surface.corners[a] < m_surface.corners[b]; };
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end(), is_before), result.end());
+    return result;
   }
 
   void add_triangle(const std::array<Halfedge, 3>& to_corners)

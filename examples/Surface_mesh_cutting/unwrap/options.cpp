@@ -8,6 +8,7 @@
 #include "program_version.h"
 #include "run_unwrap.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
 #include <CGAL/version.h>
 
 #include <CLI/CLI.hpp>
@@ -19,13 +20,19 @@
 
 namespace {
 
+using CGAL::Surface_mesh_cutting::internal::Welding;
+
 void add_input_options(CLI::App& app, Options& options)
 {
   const std::string group = "Input";
   app.add_flag("--strict", options.is_strict, "Refuse what is otherwise interpreted (see below)")->group(group);
   add_choice(app, "--weld", options.weld,
-             "Whether vertices at exactly the same point count as one;\nauto: for STL, and where (nearly) no faces share a vertex",
+             "Whether vertices at exactly the same point count as one;\nauto: for STL, where (nearly) no faces share a vertex, and\n"
+             "where pieces of a few faces nearly all meet at their borders",
              {"auto", "on", "off"})->group(group);
+  add_number<double>(app, "--weld-tolerance", options.weld_tolerance,
+                     "Weld vertices within T bounding box diagonals, too", 0, Welding::maximal_tolerance)
+    ->type_name("T")->default_str("0")->group(group);
 }
 
 void add_layout_options(CLI::App& app, Options& options, const std::string& group)
@@ -170,6 +177,8 @@ void complete(Options& options)
 {
   if(options.uv_scale == "unit" && !(2 * options.margin < options.texture_size))
     refuse("--margin must be less than half of --texture-size");
+  if(options.weld == "off" && options.weld_tolerance > 0)
+    refuse("--weld-tolerance needs --weld on or auto");
   if(options.output.empty())
     options.output = std::filesystem::path(name_of_input(options.input)).stem().string() + ".uv.obj";
 }

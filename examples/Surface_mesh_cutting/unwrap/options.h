@@ -27,6 +27,7 @@ struct Options
 
   bool is_strict = false;      // refuses what is otherwise interpreted
   std::string weld = "auto"; // auto, on, off
+  double weld_tolerance = 0;
 
   std::string effort = "default"; // fast, default, best
   bool is_faithful = false;

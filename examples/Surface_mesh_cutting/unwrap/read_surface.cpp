@@ -4,6 +4,7 @@
 #include "outcome.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welding_advice.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/name_of_interpretation.h>
 
 #ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
@@ -11,18 +12,23 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 
-SMC::internal::Soup_surface read(const Polygon_soup& soup, bool do_weld)
+// Only points that no polygon uses may be others.
+double finite_or_zero(double x) { return std::isfinite(x) ? x : 0; }
+
+SMC::internal::Soup_surface read(const Polygon_soup& soup, const SMC::internal::Welding& welding,
+                                 std::vector<std::string>& warnings)
 {
   std::vector<SMC::internal::Point> points;
   points.reserve(soup.points.size());
   for(const Polygon_soup::Point& p : soup.points)
-    points.emplace_back(p[0], p[1], p[2]);
+    points.emplace_back(finite_or_zero(p[0]), finite_or_zero(p[1]), finite_or_zero(p[2]));
   SMC::internal::Polygons polygons;
   polygons.vertices = soup.corners;
   if(!soup.originals.empty())
@@ -30,7 +36,12 @@ SMC::internal::Soup_surface read(const Polygon_soup& soup, bool do_weld)
       v = soup.originals[std::size_t(v)];
   polygons.ends.assign(soup.polygon_ends.begin(), soup.polygon_ends.end());
   using namespace CGAL::Surface_mesh_parameterization::internal;
-  return SMC::internal::read_soup(points, polygons, do_weld, execution_of<CGAL::Parallel_if_available_tag>());
+  constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
+  SMC::internal::Soup_surface surface = SMC::internal::read_soup(points, polygons, welding, execution);
+  warnings = SMC::internal::soup_warnings(
+    surface, SMC::internal::Welding_adviser(points, polygons, surface, welding, execution)(),
+    {"--weld on", "--weld-tolerance ", ""});
+  return surface;
 }
 
 Interpretation translate(const SMC::Interpretation& finding)
@@ -56,13 +67,13 @@ std::vector<Halfedge> halfedges_to_corners(const SMC::internal::Polygons& polygo
 
 } // namespace
 
-Surface read_surface(const Polygon_soup& soup, bool do_weld)
+Surface read_surface(const Polygon_soup& soup, const SMC::internal::Welding& welding)
 {
-  const SMC::internal::Soup_surface read_as = read(soup, do_weld);
-  if(read_as.polygons.number() == 0)
-    throw Failure(Exit_code::UNSUPPORTED, "no face is part of a surface: each uses a vertex twice or has fewer than three");
-
   Surface surface;
+  const SMC::internal::Soup_surface read_as = read(soup, welding, surface.warnings);
+  if(read_as.polygons.number() == 0)
+    throw Failure(Exit_code::UNSUPPORTED, "no face is part of a surface: each has fewer than three different corners");
+
   const std::vector<Halfedge> of_sides = number_halfedges(read_as);
   surface.mesh = make_mesh(read_as, of_sides);
   surface.vertices = read_as.origins;

@@ -11,6 +11,7 @@
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/coincident_vertices_warning.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
@@ -124,7 +125,8 @@ void tell(const Result& result, const Surface& surface, bool is_like_soup, Outco
                                                            : message_of(result.status, surface, is_like_soup);
   outcome.witness = witness_of(result.status, surface);
   for(const SMC::Finding<Mesh>& warning : result.status.warnings)
-    outcome.warnings.push_back(message_of(warning, surface, is_like_soup));
+    if(warning.message.rfind(SMC::internal::coincident_vertices_warning, 0) != 0) // reading the surface has told more
+      outcome.warnings.push_back(message_of(warning, surface, is_like_soup));
   outcome.has_result = result.has_result;
 
   outcome.components = result.components;

@@ -244,10 +244,13 @@ void check_points(const Polygon_soup& soup)
 {
   if(soup.number_of_polygons() == 0)
     throw Failure(Exit_code::UNSUPPORTED, "the mesh has no face");
+  std::vector<char> is_used(soup.points.size(), 0);
+  for(const int v : soup.corners)
+    is_used[std::size_t(v)] = 1;
   Defects defects(Witness::Kind::VERTICES);
   for(int v = 0; v < soup.number_of_points(); ++v)
     for(const double coordinate : soup.points[std::size_t(v)])
-      if(!std::isfinite(coordinate))
+      if(is_used[std::size_t(v)] && !std::isfinite(coordinate))
       {
         defects.add({v}, [&] { return "vertex " + std::to_string(v)
                                       + " has a coordinate that is infinite or not a number"; });

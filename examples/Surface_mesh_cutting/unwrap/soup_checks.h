@@ -10,7 +10,7 @@
 // concerned, its witness up to a hundred of them. Takes O(n log n).
 void check_soup(const Polygon_soup& soup);
 
-// The same unless it has polygons, and points with finite coordinates.
+// The same unless it has polygons, and the points that they use have finite coordinates.
 void check_points(const Polygon_soup& soup);
 
 #endif // UNWRAP_SOUP_CHECKS_H

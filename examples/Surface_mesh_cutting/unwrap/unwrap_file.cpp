@@ -7,8 +7,6 @@
 #include "soup_checks.h"
 #include "stop_request.h"
 
-#include <CGAL/Surface_mesh_cutting/internal/soup/are_polygons_apart.h>
-
 #include <exception>
 #include <new>
 #include <vector>
@@ -23,13 +21,13 @@ int number_of_other_polygons(const Polygon_soup& soup)
   return number;
 }
 
-bool is_welded(const Polygon_soup& soup, const std::string& weld)
+CGAL::Surface_mesh_cutting::internal::Welding welding(const Polygon_soup& soup, const Options& options)
 {
-  if(!soup.point_parts.empty())
-    return false; // the reader has done it
-  if(weld != "auto")
-    return weld == "on";
-  return CGAL::Surface_mesh_cutting::internal::are_polygons_apart(soup.corners, soup.points.size(), soup.number_of_polygons());
+  using CGAL::Surface_mesh_cutting::internal::Welding;
+  const bool is_off = options.is_strict || options.weld == "off";
+  if(!soup.point_parts.empty()) // where the reader has welded what is at exactly the same point
+    return {is_off || options.weld_tolerance == 0 ? Welding::OFF : Welding::ON, options.weld_tolerance, soup.point_parts};
+  return {is_off ? Welding::OFF : options.weld == "on" ? Welding::ON : Welding::AUTO, options.weld_tolerance, {}};
 }
 
 void unwrap_file(const Options& options, Output_places& places, Outcome& outcome)
@@ -58,8 +56,10 @@ Layout unwrap_soup(const Polygon_soup& soup, const Options& options, Outcome& ou
   else
     check_points(soup);
   end_if_stop_is_requested();
-  Surface surface = read_surface(soup, !options.is_strict && is_welded(soup, options.weld));
+  Surface surface = read_surface(soup, welding(soup, options));
   outcome.interpreted = surface.interpreted;
+  if(!options.is_strict) // or else nothing is interpreted, nor welded
+    outcome.warnings.insert(outcome.warnings.end(), surface.warnings.begin(), surface.warnings.end());
   end_if_stop_is_requested();
   return run_unwrap(soup, surface, options, outcome);
 }

@@ -28,16 +28,21 @@ namespace Surface_mesh_cutting {
 enum class Interpretation_kind
 {
   NON_MANIFOLD_EDGES,    ///< edges with more than two polygons. Pairs of these polygons stay connected, chosen so that
-                         ///  borders get short; the others get a border there.
+                         ///  borders get short and sheets continue; the others get a border there.
   NON_MANIFOLD_VERTICES, ///< vertices whose polygons do not hang together through edges. The surface has one vertex for
                          ///  each fan.
   REORIENTED_FACES,      ///< polygons read backward, so that all neighbors agree about which side is up.
-  DEGENERATE_FACES,      ///< polygons with fewer than three corners, or with a vertex twice. They are not part of the
-                         ///  surface; their corners get UVs of the place where they lie.
+  DEGENERATE_FACES,      ///< polygons without area: fewer than three different corners, or all sides lead there and back.
+                         ///  They are not part of the surface; their corners get UVs of the place where they lie.
   DUPLICATE_FACES,       ///< polygons with the vertices of a former one in the same cyclic order. They are not part of
-                         ///  the surface; their corners get the UVs of the former one.
-  WELDED_VERTICES,       ///< vertices taken for a former one at exactly the same point.
-  NON_ORIENTABLE_EDGES   ///< edges that are opened because the surface has only one side, as a Moebius strip.
+                         ///  the surface; their corners get the UVs of the former one, on which they lie. They are no
+                         ///  overlaps.
+  WELDED_VERTICES,       ///< vertices taken for a former one at exactly the same point, or within the tolerance.
+  NON_ORIENTABLE_EDGES,  ///< edges that are opened because the surface has only one side, as a Moebius strip.
+  REPEATED_CORNERS,      ///< polygons with corners that are left out, as they repeat their neighbors or lead there and back.
+                         ///  These get the UVs of the corners that they count as.
+  DIVIDED_FACES          ///< polygons that visit a vertex several times and are read as the loops between the visits.
+                         ///  Those whose hole is connected by a bridge are not divided.
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef

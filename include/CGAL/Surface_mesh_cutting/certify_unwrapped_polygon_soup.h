@@ -34,7 +34,8 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// proves that a polygon soup is unwrapped: the surface as which `unwrap_polygon_soup()` reads it, opened where the UVs
-/// of two neighbors differ, is as `certify_unwrap()` asks for. All decisions are exact.
+/// of two neighbors differ, is as `certify_unwrap()` asks for, and polygons given again and repeated corners have the UVs of what
+/// they repeat. All decisions are exact.
 ///
 /// \tparam PointRange a range of `%Point_3` of any kernel
 /// \tparam PolygonRange a range of ranges of indices of points
@@ -44,8 +45,8 @@ namespace Surface_mesh_cutting {
 /// \param points the points
 /// \param polygons the polygons
 /// \param corner_uvs the UVs of the corners, in the order of `polygons`
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `do_weld_points` as for
-///        `unwrap_polygon_soup()`, and `do_bijective` as for `certify_unwrap()`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `do_weld_points` and `weld_tolerance` as
+///        for `unwrap_polygon_soup()`, and `do_bijective` as for `certify_unwrap()`
 ///
 /// \return a status, one of those of `certify_unwrap()`, or `Status_code::WRONG_PARAMETER` with the polygons that refer to points
 ///         which do not exist, or if there is not one UV for each corner.
@@ -60,9 +61,11 @@ Status<Polygon_soup> certify_unwrapped_polygon_soup(const PointRange& points, co
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const bool do_weld = choose_parameter(get_parameter(np, internal_np::do_weld_points), false);
+  const internal::Welding welding = {choose_parameter(get_parameter(np, internal_np::do_weld_points), false) ? internal::Welding::ON
+                                                                                                             : internal::Welding::OFF,
+                                     choose_parameter(get_parameter(np, internal_np::weld_tolerance), 0.), {}};
   const bool do_bijective = choose_parameter(get_parameter(np, internal_np::do_bijective), false);
-  const internal::Soup_adapter adapter(points, polygons, do_weld);
+  const internal::Soup_adapter adapter(points, polygons, welding);
   internal::Indexed_status status = adapter.status();
   std::vector<Eigen::Vector2d> uvs;
   if(status)

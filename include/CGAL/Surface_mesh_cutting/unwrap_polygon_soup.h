@@ -44,12 +44,16 @@ struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 /// and their order stay, and the surface is a reading of them.
 /// - Polygons may have any number of corners, and need neither be convex nor quite flat. They are never cut.
 /// - Edges with two polygons connect these, edges with one are border. Of those with more, pairs of polygons stay
-///   connected, chosen so that borders get short; the others get a border there.
+///   connected, chosen so that borders get short and sheets continue; the others get a border there. A polygon is never
+///   connected with its own reverse.
 /// - A vertex whose polygons form several fans is as many vertices of the surface.
 /// - Where neighbors disagree about which side is up, as few polygons as possible are read backward. Their
 ///   UVs are clockwise. Surfaces with only one side are opened.
-/// - Polygons with a vertex twice, or with the vertices of a former polygon in the same cyclic order, are not part of the
+/// - Neighboring corners at the same vertex are one corner. A polygon may have a hole that is connected by a bridge, an edge
+///   that it uses twice. Other polygons that visit a vertex more than once are divided into the loops between the visits.
+/// - Polygons without area, or with the vertices of a former polygon in the same cyclic order, are not part of the
 ///   surface. They get UVs of the place where they lie.
+/// - Points that no polygon uses may have any coordinates.
 ///
 /// The cost of the reading is nearly linear in the size of the soup.
 ///
@@ -67,7 +71,7 @@ struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 /// \param corner_uvs receives the UVs: `corner_uvs[p][k]` is that of corner `k` of polygon `p`, at the scale of the
 ///        surface. It stays unchanged unless `Cut_result::has_result`. Corners of degenerate polygons away from the surface
 ///        get any UV of it.
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `unwrap()`, and the one listed
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `unwrap()`, and the two listed
 ///        below. Vertices are indices of points, and edges are pairs (`std::pair<std::size_t, std::size_t>`) of them,
 ///        the lower one first. Such a pair may stand for several edges of the surface.
 ///
@@ -77,6 +81,12 @@ struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{What comes from a format without indices needs it.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{weld_tolerance}
+///     \cgalParamDescription{with `do_weld_points`, vertices within this share of the diagonal of the bounding box count as one,
+///                           too, also by way of others between them}
+///     \cgalParamType{`double` from 0 to 0.01}
+///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -96,12 +106,15 @@ Unwrap_soup_result unwrap_polygon_soup(const PointRange& points, const PolygonRa
   using UV = typename CornerUVs::value_type::value_type;
 
   std::vector<Interpretation> interpreted;
-  const bool do_weld = choose_parameter(get_parameter(np, internal_np::do_weld_points), false);
+  const internal::Welding welding = {choose_parameter(get_parameter(np, internal_np::do_weld_points), false) ? internal::Welding::ON
+                                                                                                             : internal::Welding::OFF,
+                                     choose_parameter(get_parameter(np, internal_np::weld_tolerance), 0.), {}};
   Unwrap_soup_result result = internal::run_on_adapter<ConcurrencyTag, Unwrap_soup_result, UV>(
     [&]
     {
-      internal::Soup_adapter adapter(points, polygons, do_weld,
-                                     Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>());
+      const internal::Welding_words words = {"do_weld_points(true)", "do_weld_points(true).weld_tolerance(", ")"};
+      internal::Soup_adapter adapter(points, polygons, welding,
+                                     Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>(), &words);
       interpreted = adapter.surface().findings;
       return adapter;
     },

@@ -33,6 +33,7 @@ CGAL_add_named_parameter(coarse_number_of_faces_t, coarse_number_of_faces, coars
 CGAL_add_named_parameter(maximum_average_distortion_t, maximum_average_distortion, maximum_average_distortion)
 CGAL_add_named_parameter(do_bijective_t, do_bijective, do_bijective)
 CGAL_add_named_parameter(do_weld_points_t, do_weld_points, do_weld_points)
+CGAL_add_named_parameter(weld_tolerance_t, weld_tolerance, weld_tolerance)
 CGAL_add_named_parameter(initial_cut_t, initial_cut, initial_cut_map)
 CGAL_add_named_parameter(edge_is_forbidden_t, edge_is_forbidden, edge_is_forbidden_map)
 CGAL_add_named_parameter(connection_t, connection, connection)

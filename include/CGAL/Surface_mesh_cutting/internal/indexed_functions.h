@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygon_triangulation.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/library.h>
@@ -49,16 +50,15 @@ CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& m
 // What is unusual about a mesh, though handled: why a result may look odd, or take long.
 CGAL_SURFACE_MESH_CUTTING_INLINE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh);
 
-// The polygons of a surface as triangles. `opposites` holds the side across each side, or -1 on a border; no polygon has a
-// vertex twice. Linear in the number of corners on usual polygons.
+// The polygons of a surface as triangles. `opposites` holds the side across each side, or -1 on a border; no side has the
+// same vertex twice. Linear in the number of corners on usual polygons.
 CGAL_SURFACE_MESH_CUTTING_INLINE
 Polygon_triangulation triangulate_polygons(const std::vector<Point>& points, const Polygons& polygons,
                                            const std::vector<int>& opposites);
 
-// Reads a polygon soup as a surface. Points are finite and indices in range. `do_weld`: whether vertices at exactly the same
-// point are one. Nearly linear time.
+// Reads a polygon soup as a surface. Points that polygons use are finite, and indices in range. Nearly linear time.
 CGAL_SURFACE_MESH_CUTTING_INLINE
-Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, bool do_weld, Execution execution);
+Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
 CGAL_SURFACE_MESH_CUTTING_INLINE

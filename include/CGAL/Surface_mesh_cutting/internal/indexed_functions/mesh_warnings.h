@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/coincident_vertices_warning.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/parts_inside_out.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
@@ -103,8 +104,7 @@ CGAL_SURFACE_MESH_CUTTING_INLINE std::vector<Finding> mesh_warnings(const Indexe
        faces(Thinness::DEGENERATE));
   warn("faces with an angle below 0.01 degrees", Element_kind::FACE, faces(Thinness::NEEDLE));
   warn("edges shorter than 1e-5 of the longest one", Element_kind::EDGE, tiny_edges(mesh));
-  warn("vertices at the same point, where the surface is not connected (welding connects it)", Element_kind::VERTEX,
-       coincident_vertices(mesh));
+  warn(coincident_vertices_warning, Element_kind::VERTEX, coincident_vertices(mesh));
   warn("vertices with 1000 neighbors or more", Element_kind::VERTEX,
        indices_if(mesh.number_of_vertices(), [&](int v) { return mesh.graph().degree(v) >= many_neighbors; }));
   warn("closed parts that are inside out, each named by a face", Element_kind::FACE,

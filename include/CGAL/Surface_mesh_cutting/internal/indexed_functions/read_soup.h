@@ -24,9 +24,9 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 CGAL_SURFACE_MESH_CUTTING_INLINE
-Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, bool do_weld, Execution execution)
+Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution)
 {
-  return Soup_reader(points, soup, do_weld, execution).run();
+  return Soup_reader(points, soup, welding, execution).run();
 }
 
 } // namespace internal

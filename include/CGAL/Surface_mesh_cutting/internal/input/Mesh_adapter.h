@@ -194,9 +194,8 @@ private:
       m_faces.push_back(f);
       m_outlines.close();
     }
-    const std::vector<char> is_simple = m_outlines.are_simple(int(m_vertices.size()));
     for(int f = 0; f < m_outlines.number(); ++f)
-      if(!is_simple[f])
+      if(!m_outlines.has_sides(f))
         other.push_back(f);
     if(!other.empty())
       refuse_polygons(Status_code::NOT_TRIANGULATED, "faces that do not have three different vertices or more",

@@ -84,7 +84,7 @@ protected:
     return Point_2(static_cast<Number>(p.x()), static_cast<Number>(p.y()));
   }
 
-  // `opposites` holds the side across each side, or -1 on a border; no polygon has a vertex twice. O(n).
+  // `opposites` holds the side across each side, or -1 on a border; no side has the same vertex twice. O(n).
   CGAL_SURFACE_MESH_CUTTING_INLINE
   void make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites,
                  Execution execution = Execution::SEQUENTIAL);

@@ -62,7 +62,7 @@ void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polyg
   if(!triangulation.doubled.empty())
   {
     refuse_polygons(Status_code::NOT_TRIANGULATED,
-                    "faces all of whose triangulations repeat an edge of the surface",
+                    "faces all of whose triangulations repeat an edge of the surface or overlap",
                     std::move(triangulation.doubled));
     return;
   }

@@ -19,12 +19,15 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welding_advice.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/begin_triangles_with_last_corner.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/coincident_vertices_warning.h>
 #include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,14 +51,21 @@ public:
 
   // O(n). The indexed mesh exists only where `status()` is OK.
   template <typename PointRange, typename PolygonRange>
-  Soup_adapter(const PointRange& points, const PolygonRange& polygons, bool do_weld,
-               Execution execution = Execution::SEQUENTIAL)
+  // `words`: how the caller asks for welding, which warnings say where it would help.
+  Soup_adapter(const PointRange& points, const PolygonRange& polygons, const Welding& welding,
+               Execution execution = Execution::SEQUENTIAL, const Welding_words* words = nullptr)
   {
-    const std::vector<Point> coordinates = read_points(points);
+    if(!Welding::is_tolerance(welding.tolerance))
+      m_status = Indexed_status(Status_code::WRONG_PARAMETER, "weld_tolerance is not in the range from 0 to 0.01");
+    std::vector<Point> coordinates = to_vectors(points);
     const Polygons soup = read_polygons(polygons, int(coordinates.size()));
+    if(m_status)
+      check_points(soup, coordinates);
     if(!m_status)
       return;
-    m_surface = read_soup(coordinates, soup, do_weld, execution);
+    m_surface = read_soup(coordinates, soup, welding, execution);
+    if(words != nullptr)
+      m_warnings = soup_warnings(m_surface, Welding_adviser(coordinates, soup, m_surface, welding, execution)(), *words);
     begin_triangles_with_last_corner(m_surface);
     if(m_surface.polygons.number() == 0)
       m_status = Indexed_status(Status_code::EMPTY_MESH, "no polygon is part of a surface");
@@ -64,6 +74,18 @@ public:
   }
 
   const Soup_surface& surface() const { return m_surface; }
+
+  // Vertices at the same point may be one in the soup.
+  std::vector<Finding> warnings() const
+  {
+    std::vector<Finding> result = Polygon_adapter::warnings();
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [](const Finding& finding) { return finding.message == coincident_vertices_warning; }),
+                 result.end());
+    for(const std::string& warning : m_warnings)
+      result.push_back(Finding{Status_code::OK, warning, Element_kind::NONE, {}});
+    return result;
+  }
 
   vertex_descriptor to_vertex(int v) const { return vertex_descriptor(m_surface.origins[v]); }
   edge_descriptor to_edge(int e) const
@@ -81,13 +103,13 @@ public:
     return cut;
   }
 
-  // The UV of each corner, in the order of the indexed halfedges that start there.
+  // The UV of each corner, in the order of the indexed halfedges that start there. Corners that are not on the surface have to
+  // have the UVs of those that they repeat.
   template <typename PolygonRange, typename CornerUVs>
   Indexed_status read_uvs(const PolygonRange& polygons, const CornerUVs& corner_uvs,
                           std::vector<Eigen::Vector2d>& result) const
   {
-    std::vector<Eigen::Vector2d> of_surface(m_surface.polygons.vertices.size());
-    std::size_t c = 0; // corner of the soup
+    std::vector<Eigen::Vector2d> of_surface(m_surface.polygons.vertices.size()), of_soup;
     auto polygon = polygons.begin();
     for(const auto& uvs : corner_uvs)
     {
@@ -95,14 +117,18 @@ public:
         break;
       for(const auto& uv : uvs)
       {
-        if(m_surface.is_on_surface[c])
-          of_surface[m_surface.corners[c]] = Surface_mesh_parameterization::internal::to_vector_2(uv);
-        ++c;
+        of_soup.push_back(Surface_mesh_parameterization::internal::to_vector_2(uv));
+        if(m_surface.is_on_surface[of_soup.size() - 1])
+          of_surface[m_surface.corners[of_soup.size() - 1]] = of_soup.back();
       }
       ++polygon;
     }
     if(polygon != polygons.end() || corner_uvs.size() != polygons.size())
       return Indexed_status(Status_code::WRONG_PARAMETER, "there is not one UV for each corner of each polygon");
+    for(std::size_t c = 0; c < of_soup.size(); ++c)
+      if(m_surface.is_bound[c] && of_soup[c] != of_surface[m_surface.corners[c]])
+        return Indexed_status(Status_code::NOT_CERTIFIED, "the UVs of corner " + std::to_string(c) + " of all polygons are not "
+                                                          "those of the corner that it repeats");
     result.clear();
     for(int h = 0; h < mesh().number_of_halfedges(); ++h)
       result.push_back(of_surface[to_corner(h)]);
@@ -144,20 +170,31 @@ public:
 
 private:
   template <typename PointRange>
-  std::vector<Point> read_points(const PointRange& points)
+  static std::vector<Point> to_vectors(const PointRange& points)
   {
     std::vector<Point> result;
-    std::vector<int> invalid;
     for(const auto& p : points)
-    {
       result.push_back(Surface_mesh_parameterization::internal::to_vector_3(p));
-      if(!Surface_mesh_parameterization::internal::is_finite(result.back()))
-        invalid.push_back(int(result.size()) - 1);
-    }
+    return result;
+  }
+
+  // Those that no polygon uses matter to nobody.
+  void check_points(const Polygons& soup, std::vector<Point>& points)
+  {
+    std::vector<char> is_used(points.size(), 0);
+    for(int v : soup.vertices)
+      is_used[v] = 1;
+    std::vector<int> invalid;
+    for(int v = 0; v < int(points.size()); ++v)
+      if(!Surface_mesh_parameterization::internal::is_finite(points[v]))
+      {
+        if(is_used[v])
+          invalid.push_back(v);
+        points[v] = Point::Zero();
+      }
     if(!invalid.empty())
       refuse(Status_code::INVALID_POINT, "vertices with a coordinate that is infinite or not a number",
              Element_kind::VERTEX, std::move(invalid));
-    return result;
   }
 
   template <typename PolygonRange>
@@ -210,6 +247,7 @@ private:
   }
 
   Soup_surface m_surface;
+  std::vector<std::string> m_warnings;
 };
 
 } // namespace internal

@@ -33,8 +33,8 @@ struct Polygon_triangulation
   std::vector<int> sides;     // per halfedge, the side of a polygon that it is, -1 for a diagonal
   std::vector<int> polygons;  // per triangle
 
-  // The polygons with a diagonal between vertices that have another edge. Where the two enclose a part of the surface
-  // without a cut, no map is free of flips.
+  // The polygons with a diagonal between vertices that have another edge, and those that touch themselves so that a triangle
+  // is turned over. Where two edges enclose a part of the surface without a cut, no map is free of flips.
   std::vector<int> doubled;
 };
 

@@ -36,7 +36,8 @@ namespace internal {
 class Polygon_triangulator
 {
 public:
-  // `opposites` holds the side across each side, or -1 on a border. No polygon has a vertex twice.
+  // `opposites` holds the side across each side, or -1 on a border. Polygons may touch themselves, but no side has the same
+  // vertex twice.
   Polygon_triangulator(const std::vector<Point>& points, const Polygons& polygons, const std::vector<int>& opposites)
     : m_points(points), m_polygons(polygons), m_opposites(opposites), m_halfedges(polygons.vertices.size(), -1)
   {}
@@ -47,6 +48,7 @@ public:
     if(m_polygons.number_of_corners() == 3 * m_polygons.number())
       return triangles_as_they_are();
     collect_edges();
+    m_is_simple = m_polygons.are_simple(int(m_points.size()));
     for(int polygon = 0; polygon < m_polygons.number(); ++polygon)
       add(polygon, m_polygons.size(polygon) == 3 ? std::vector<Triangle>{{0, 1, 2}} : triangulate(polygon));
     for(std::size_t h = 0; h < m_result.sides.size(); ++h)
@@ -107,9 +109,10 @@ private:
     std::vector<Point> corners;
     for(int c = first; c < first + size; ++c)
       corners.push_back(m_points[m_polygons.vertices[c]]);
-    const auto diagonal = [&](int i, int j)
-    { return key(m_polygons.vertices[first + i], m_polygons.vertices[first + j]); };
-    const Is_taken is_taken = [&](int i, int j) { return m_edges.count(diagonal(i, j)) > 0; };
+    const auto vertex = [&](int i) { return m_polygons.vertices[first + i]; };
+    const auto diagonal = [&](int i, int j) { return key(vertex(i), vertex(j)); };
+    const Is_taken is_taken = [&](int i, int j)
+    { return vertex(i) == vertex(j) || m_edges.count(diagonal(i, j)) > 0; };
     const auto has_unwanted_diagonal = [&](const std::vector<Triangle>& triangles)
     {
       bool result = false;
@@ -127,7 +130,10 @@ private:
       triangles = strip(size);
     if(triangles.empty() || (size <= maximal_size_of_repair && has_unwanted_diagonal(triangles)))
       triangles = Least_triangulation(corners, is_taken).triangles();
-    if(has_unwanted_diagonal(triangles))
+    const Point area = area_vector(corners);
+    const auto is_bad = [&](const Triangle& t) { return is_turned_over(corners[t[0]], corners[t[1]], corners[t[2]], area); };
+    if(has_unwanted_diagonal(triangles) ||
+       (!m_is_simple[polygon] && std::any_of(triangles.begin(), triangles.end(), is_bad)))
       m_result.doubled.push_back(polygon);
     return add_diagonals(triangles, size, diagonal);
   }
@@ -189,6 +195,7 @@ private:
   const Polygons& m_polygons;
   const std::vector<int>& m_opposites;
   std::vector<int> m_halfedges;              // per side
+  std::vector<char> m_is_simple;             // per polygon
   std::unordered_set<std::uint64_t> m_edges; // with two vertices, diagonals included
   Polygon_triangulation m_result;
 };

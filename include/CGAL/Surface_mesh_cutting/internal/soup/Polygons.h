@@ -65,6 +65,15 @@ struct Polygons
     }
     return result;
   }
+
+  // Whether a polygon has three corners or more, no two of its neighbors at the same vertex.
+  bool has_sides(int polygon) const
+  {
+    bool result = size(polygon) >= 3;
+    for(int c = begin(polygon); c < end(polygon); ++c)
+      result = result && vertices[c] != vertices[next(polygon, c)];
+    return result;
+  }
 };
 
 } // namespace internal

@@ -14,17 +14,18 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/soup/Least_triangulation.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Oriented_pieces.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Side_choice.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_edges.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/continuing_sides.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/former_duplicates.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,8 +38,10 @@ namespace internal {
 //
 // Edges with two polygons connect these, unless the surface has only one side: then where a breadth-first search from
 // the lowest polygon meets itself turned over, the edge stays open. Of an edge with more polygons, as many pairs
-// as possible are connected, first those that closes a fan at one of its vertices: an edge where two bodies touch is
-// closed on both, and along a line of such edges the same sheets stay connected.
+// as possible are connected, first those that close a fan at one of its vertices: an edge where two bodies touch is
+// closed on both, and along a line of such edges the same sheets stay connected. Then those that agree, and of these the
+// flattest. A polygon is never connected with its own reverse, so a sheet with two sides is two sheets; where two bodies have
+// such a wall in common, each side of it is connected with one of them.
 class Sheet_joiner
 {
 public:
@@ -75,20 +78,28 @@ private:
   // The corner at the lower or at the higher vertex.
   int corner_at(const Side& side, bool is_low) const { return is_low == side.is_upward ? side.corner : target(side); }
 
-  // Whether two sides disagree about which side of the surface is up, within their pieces as they are turned so far.
-  bool disagree(const Side& a, const Side& b) const
-  {
-    return (a.is_upward != bool(m_is_turned[owner(a)])) == (b.is_upward != bool(m_is_turned[owner(b)]));
-  }
+  // Which side of the surface is up, within the piece of a side as it is turned so far.
+  bool is_up(const Side& side) const { return side.is_upward != bool(m_is_turned[owner(side)]); }
+  // Two sides at an edge.
+  bool disagree(const Side& a, const Side& b) const { return is_up(a) == is_up(b); }
 
   // Whether each edge has one polygon, or two that agree as they are.
   bool is_oriented_manifold() const
   {
     for(int e = 0; e < m_edges.number(); ++e)
       if(m_edges.size(e) > 2 ||
-         (m_edges.size(e) == 2 && m_edges.side(e, 0).is_upward == m_edges.side(e, 1).is_upward))
+         (m_edges.size(e) == 2 && (m_edges.side(e, 0).is_upward == m_edges.side(e, 1).is_upward || !is_simple(e))))
         return false;
     return true;
+  }
+
+  // Whether an edge connects two polygons without a choice.
+  bool is_simple(int e) const { return m_edges.size(e) == 2 && !are_reverse(m_edges.side(e, 0), m_edges.side(e, 1)); }
+
+  bool are_reverse(const Side& a, const Side& b) const
+  {
+    return a.is_upward != b.is_upward &&
+           internal::are_reverse(m_polygons, owner(a), a.corner, owner(b), target(b));
   }
 
   // All there is to do on an oriented manifold.
@@ -116,7 +127,7 @@ private:
   {
     std::vector<int> edge_of_side(m_mates.size(), -1);
     for(int e = 0; e < m_edges.number(); ++e)
-      for(int i = 0; m_edges.size(e) == 2 && i < 2; ++i)
+      for(int i = 0; i < 2 && is_simple(e); ++i)
         edge_of_side[m_edges.side(e, i).corner] = e;
     int number_of_pieces = 0;
     for(int seed = 0; seed < m_polygons.number(); ++seed)
@@ -124,7 +135,7 @@ private:
         visit_piece(seed, number_of_pieces++, edge_of_side);
     m_pieces = Oriented_pieces(number_of_pieces);
     for(int e = 0; e < m_edges.number(); ++e)
-      if(m_edges.size(e) == 2)
+      if(is_simple(e))
       {
         if(disagree(m_edges.side(e, 0), m_edges.side(e, 1)))
           m_non_orientable_edges.push_back(e);
@@ -158,69 +169,94 @@ private:
     }
   }
 
-  // How good it is to connect two sides: what is compared first comes first.
-  struct Choice
-  {
-    int fans = -1; // that this closes
-    bool is_same_piece = false, agrees = false;
-    double flatness = 0;
-    int first = -1, second = -1; // sides of the edge
-
-    bool operator<(const Choice& other) const
-    {
-      return std::tie(fans, is_same_piece, agrees, flatness)
-             < std::tie(other.fans, other.is_same_piece, other.agrees, other.flatness);
-    }
-  };
-
-  Choice choice(int e, int i, int j)
+  Side_choice choice(int e, int i, int j)
   {
     const Side& a = m_edges.side(e, i);
     const Side& b = m_edges.side(e, j);
     const bool do_disagree = disagree(a, b);
     const int piece = m_pieces_of_polygons[owner(a)], other = m_pieces_of_polygons[owner(b)];
-    if(!m_pieces.can_connect(piece, other, do_disagree))
-      return Choice();
-    Choice result;
+    if(!m_pieces.can_connect(piece, other, do_disagree) || are_reverse(a, b))
+      return Side_choice();
+    Side_choice result;
     result.fans = 0;
     for(bool is_low : {true, false})
       result.fans += m_fans.find(corner_at(a, is_low)) == m_fans.find(corner_at(b, is_low));
     result.is_same_piece = m_pieces.find(piece).first == m_pieces.find(other).first;
     result.agrees = !do_disagree;
-    result.flatness = (a.is_upward == b.is_upward ? -1 : 1) * normal(owner(a)).dot(normal(owner(b)));
+    result.flatness = (a.is_upward == b.is_upward ? -1 : 1) * m_normals[owner(a)].dot(m_normals[owner(b)]);
     result.first = i;
     result.second = j;
     return result;
   }
 
-  // Unit length, or zero.
-  Point normal(int polygon) const
+  std::vector<int> open_sides(int e) const
   {
-    std::vector<Point> corners;
-    for(int c = m_polygons.begin(polygon); c < m_polygons.end(polygon); ++c)
-      corners.push_back(m_points[m_polygons.vertices[c]]);
-    const Point sum = area_vector(corners);
-    const double length = sum.norm();
-    return length > 0 ? Point(sum / length) : Point(0, 0, 0);
-  }
-
-  // Among many sides, only consecutive ones are compared.
-  Choice best_choice(int e)
-  {
-    constexpr std::size_t many = 8;
     std::vector<int> open;
     for(int i = 0; i < m_edges.size(e); ++i)
       if(m_mates[m_edges.side(e, i).corner] < 0)
         open.push_back(i);
-    Choice best;
+    return open;
+  }
+
+  Side_choice best_choice(int e, const std::vector<int>& open)
+  {
+    const auto has_reverse = [&](int i)
+    {
+      const Side& side = m_edges.side(e, i);
+      return std::any_of(open.begin(), open.end(), [&](int j) { return are_reverse(side, m_edges.side(e, j)); });
+    };
+    Side_choice best;
     for(std::size_t i = 0; i < open.size(); ++i)
-      for(std::size_t j = i + 1; j < (open.size() > many ? (std::min)(i + 2, open.size()) : open.size()); ++j)
+      for(std::size_t j = i + 1; j < open.size(); ++j)
       {
-        const Choice next = choice(e, open[i], open[j]);
+        Side_choice next = choice(e, open[i], open[j]);
+        next.reverses = has_reverse(open[i]) + has_reverse(open[j]);
         if(best < next)
           best = next;
       }
     return best;
+  }
+
+  // Among many sides, only the two open ones of each fan are compared, in the order of what is best.
+  bool close_many(int e, const std::vector<int>& open)
+  {
+    std::vector<Side_choice> choices;
+    for(bool is_low : {true, false})
+    {
+      std::vector<std::pair<int, int> > fans;
+      for(int i : open)
+        fans.emplace_back(m_fans.find(corner_at(m_edges.side(e, i), is_low)), i);
+      std::sort(fans.begin(), fans.end());
+      for(std::size_t i = 0; i + 1 < fans.size(); ++i)
+        if(fans[i].first == fans[i + 1].first)
+          if(const Side_choice next = choice(e, fans[i].second, fans[i + 1].second); next.fans > 0)
+            choices.push_back(next);
+    }
+    std::stable_sort(choices.begin(), choices.end(), [](const Side_choice& a, const Side_choice& b) { return b < a; });
+    bool has_changed = false;
+    for(const Side_choice& choice : choices)
+      has_changed = connect(e, choice.first, choice.second) || has_changed;
+    return has_changed;
+  }
+
+  // Connects many sides with those that continue them.
+  bool continue_many(int e, const std::vector<int>& open)
+  {
+    const Turn_around_edge turn(m_points[m_edges.high(e)] - m_points[m_edges.low(e)]);
+    std::vector<Side_at_angle> sides;
+    for(int i : open)
+    {
+      const Side& side = m_edges.side(e, i);
+      sides.push_back({turn.angle(m_normals[owner(side)], side.is_upward), is_up(side), i});
+    }
+    bool has_changed = false;
+    connect_continuing_sides(sides, [&](int i, int j)
+    {
+      const bool is_connected = connect(e, i, j);
+      has_changed = has_changed || is_connected;
+      return is_connected;
+    });
+    return has_changed;
   }
 
   void join_other_edges()
@@ -231,6 +267,7 @@ private:
         edges.push_back(e);
     if(edges.empty())
       return;
+    m_normals = unit_normals(m_points, m_polygons);
     collect_neighbors(edges);
     m_is_waiting.assign(m_edges.number(), 0);
     for(int e : edges)
@@ -274,23 +311,44 @@ private:
     }
   }
 
-  // Connects the best two sides of an edge that close at least this number of fans.
+  // Connects the best two sides of an edge that close at least this number of fans, of many sides all such pairs. False if
+  // there are none.
   bool join(int e, int least_number_of_fans)
   {
-    constexpr int many = 64; // edges at a vertex: then the order in which they are connected matters little
-    const Choice best = best_choice(e);
-    if(best.fans < least_number_of_fans)
+    constexpr std::size_t many = 8;
+    const std::vector<int> open = open_sides(e);
+    bool has_changed = false;
+    if(open.size() > many)
+      has_changed = least_number_of_fans > 0 ? close_many(e, open) : continue_many(e, open);
+    else if(const Side_choice best = best_choice(e, open); best.fans >= least_number_of_fans)
+      has_changed = connect(e, best.first, best.second);
+    if(has_changed)
+      wait_for_neighbors(e);
+    return has_changed;
+  }
+
+  // Connects two sides if both are still open and fit together.
+  bool connect(int e, int i, int j)
+  {
+    const Side& a = m_edges.side(e, i);
+    const Side& b = m_edges.side(e, j);
+    const int piece = m_pieces_of_polygons[owner(a)], other = m_pieces_of_polygons[owner(b)];
+    if(m_mates[a.corner] >= 0 || m_mates[b.corner] >= 0 || !m_pieces.can_connect(piece, other, disagree(a, b)) ||
+       are_reverse(a, b))
       return false;
-    const Side& a = m_edges.side(e, best.first);
-    const Side& b = m_edges.side(e, best.second);
-    m_pieces.connect(m_pieces_of_polygons[owner(a)], m_pieces_of_polygons[owner(b)], !best.agrees);
+    m_pieces.connect(piece, other, disagree(a, b));
     mate(a, b);
+    return true;
+  }
+
+  void wait_for_neighbors(int e)
+  {
+    constexpr int many = 64; // edges at a vertex: then the order in which they are connected matters little
     for(int v : {m_edges.low(e), m_edges.high(e)})
       if(m_neighbor_ends[v + 1] - m_neighbor_ends[v] <= many)
         for(int i = m_neighbor_ends[v]; i < m_neighbor_ends[v + 1]; ++i)
           if(m_neighbors[i] != e)
             wait(m_neighbors[i]);
-    return true;
   }
 
   // Of what is connected, most polygons stay as they are; if as many would be turned, the lowest one stays.
@@ -320,6 +378,7 @@ private:
   Oriented_pieces m_pieces;
   Disjoint_sets m_fans; // of corners
   std::vector<int> m_non_orientable_edges;
+  std::vector<Point> m_normals; // per polygon
   std::vector<int> m_neighbors, m_neighbor_ends; // in compressed rows
   std::deque<int> m_waiting;
   std::vector<char> m_is_waiting;

@@ -15,12 +15,18 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Corner_fans.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Polygon_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Sheet_joiner.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
-#include <CGAL/Surface_mesh_cutting/internal/soup/left_out_polygons.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welded_vertices.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/former_duplicates.h>
+#include <CGAL/Surface_mesh_cutting/internal/soup/is_welding_meant.h>
 
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -36,34 +42,34 @@ namespace internal {
 // Reads a polygon soup as a surface. Nearly linear time, and the same result wherever it runs.
 class Soup_reader
 {
-  using Disjoint_sets = CGAL::internal::Graph_kernel::Disjoint_sets;
-
 public:
-  // Points are finite and indices in range. `do_weld`: whether vertices at exactly the same point are one.
-  Soup_reader(const std::vector<Point>& points, const Polygons& soup, bool do_weld, Execution execution)
-    : m_points(points), m_soup(soup), m_execution(execution), m_welded(soup), m_representatives(points.size()),
-      m_owners(soup.owners())
+  // Points that polygons use are finite, and indices in range.
+  Soup_reader(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution)
+    : m_points(points), m_execution(execution), m_representatives(representatives(soup, welding)),
+      m_soup(of_representatives(soup)), m_parts(points, m_soup), m_polygons(m_parts.polygons()),
+      m_owners(m_polygons.owners()), m_former(former_duplicates(m_polygons, number_of_points(), execution)),
+      m_is_used(m_polygons.ends.size(), 1)
   {
-    weld(do_weld);
-    const std::vector<char> is_simple = m_welded.are_simple(number_of_points());
-    m_former = former_duplicates(m_welded, is_simple, number_of_points(), m_execution);
-    m_is_used = is_simple;
-    for(int p = 0; p < m_welded.number(); ++p)
-    {
-      if(!is_simple[p])
-        add(Interpretation_kind::DEGENERATE_FACES).polygons.push_back(std::size_t(p));
+    for(std::size_t kind = 0; kind < m_findings.size(); ++kind)
+      m_findings[kind].kind = Interpretation_kind(kind);
+    for(int v = 0; v < number_of_points(); ++v)
+      if(m_representatives[v] != v)
+        add(Interpretation_kind::WELDED_VERTICES).vertices.push_back(std::size_t(v));
+    add(Interpretation_kind::DEGENERATE_FACES, m_parts.without_area());
+    add(Interpretation_kind::REPEATED_CORNERS, m_parts.with_repeated_corners());
+    add(Interpretation_kind::DIVIDED_FACES, m_parts.divided());
+    for(int p = 0; p < m_polygons.number(); ++p)
       if(m_former[p] >= 0)
       {
         m_is_used[p] = 0;
-        add(Interpretation_kind::DUPLICATE_FACES).polygons.push_back(std::size_t(p));
+        add_polygon_of(p, Interpretation_kind::DUPLICATE_FACES);
       }
-    }
   }
 
   Soup_surface run()
   {
-    const Soup_edges edges(m_welded, m_is_used, number_of_points(), m_execution);
-    const Sheet_joiner joiner(m_points, m_welded, m_is_used, edges);
+    const Soup_edges edges(m_polygons, m_is_used, number_of_points(), m_execution);
+    const Sheet_joiner joiner(m_points, m_polygons, m_is_used, edges);
     m_mates = joiner.mates();
     m_is_turned = joiner.is_turned();
     m_fans = fans_across(m_mates);
@@ -73,7 +79,7 @@ public:
       m_fans = fans_across(m_mates);
       number_fans();
     }
-    place_left_out_polygons();
+    place_corners();
     for(Interpretation& finding : m_findings)
       if(finding.count() > 0)
         m_surface.findings.push_back(std::move(finding));
@@ -83,22 +89,35 @@ public:
 private:
   int number_of_points() const { return int(m_points.size()); }
 
+  std::vector<int> representatives(const Polygons& soup, const Welding& welding)
+  {
+    m_surface.is_welded = welding.mode == Welding::ON
+      || (welding.mode == Welding::AUTO && is_welding_meant(m_points, soup, welding, m_execution));
+    if(m_surface.is_welded)
+      return Welded_vertices(m_points, soup, welding.tolerance, welding.parts).representatives();
+    std::vector<int> all(m_points.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  Polygons of_representatives(Polygons soup) const
+  {
+    for(int& v : soup.vertices)
+      v = m_representatives[v];
+    return soup;
+  }
+
   Interpretation& add(Interpretation_kind kind) { return m_findings[std::size_t(kind)]; }
 
-  void weld(bool do_weld)
+  void add(Interpretation_kind kind, const std::vector<int>& polygons)
+  { add(kind).polygons.assign(polygons.begin(), polygons.end()); }
+  // Once, though several of its loops may be meant.
+  void add_polygon_of(int part, Interpretation_kind kind)
   {
-    for(int v = 0; v < number_of_points(); ++v)
-      m_representatives[v] = v;
-    for(std::size_t kind = 0; kind < m_findings.size(); ++kind)
-      m_findings[kind].kind = Interpretation_kind(kind);
-    if(!do_weld)
-      return;
-    m_representatives = first_vertices_at_points(m_points, m_soup);
-    for(int v = 0; v < number_of_points(); ++v)
-      if(m_representatives[v] != v)
-        add(Interpretation_kind::WELDED_VERTICES).vertices.push_back(std::size_t(v));
-    for(int& v : m_welded.vertices)
-      v = m_representatives[v];
+    std::vector<std::size_t>& polygons = add(kind).polygons;
+    const std::size_t polygon = std::size_t(m_parts.origins()[part]);
+    if(polygons.empty() || polygons.back() != polygon)
+      polygons.push_back(polygon);
   }
 
   void describe(const Soup_edges& edges, const Sheet_joiner& joiner)
@@ -110,9 +129,9 @@ private:
         add(Interpretation_kind::NON_MANIFOLD_EDGES).edges.push_back(ends(e));
     for(int e : joiner.non_orientable_edges())
       add(Interpretation_kind::NON_ORIENTABLE_EDGES).edges.push_back(ends(e));
-    for(int p = 0; p < m_welded.number(); ++p)
+    for(int p = 0; p < m_polygons.number(); ++p)
       if(m_is_turned[p])
-        add(Interpretation_kind::REORIENTED_FACES).polygons.push_back(std::size_t(p));
+        add_polygon_of(p, Interpretation_kind::REORIENTED_FACES);
     describe_vertices(edges);
   }
 
@@ -123,7 +142,7 @@ private:
     std::vector<char> has_several(m_points.size(), 0);
     for_each_used_corner([&](int, int c)
     {
-      const int v = m_welded.vertices[c], fan = fans[c];
+      const int v = m_polygons.vertices[c], fan = fans[c];
       has_several[v] = has_several[v] || (fan_of_vertex[v] >= 0 && fan_of_vertex[v] != fan);
       fan_of_vertex[v] = fan;
     });
@@ -144,54 +163,37 @@ private:
   // Per corner, one that stands for its fan, where all sides of an edge are neighbors.
   std::vector<int> fans_around(const Soup_edges& edges) const
   {
-    Disjoint_sets fans(m_welded.number_of_corners());
+    Corner_fans fans(m_polygons, m_owners);
     for(int e = 0; e < edges.number(); ++e)
       for(int i = 1; i < edges.size(e); ++i)
-        unite_ends(edges.side(e, 0).corner, edges.side(e, i).corner, fans);
-    return representatives(fans);
+        fans.unite(edges.side(e, 0).corner, edges.side(e, i).corner);
+    return fans.representatives();
   }
 
   // The same where `mates` are neighbors.
   std::vector<int> fans_across(const std::vector<int>& mates) const
   {
-    Disjoint_sets fans(m_welded.number_of_corners());
-    for(int side = 0; side < m_welded.number_of_corners(); ++side)
+    Corner_fans fans(m_polygons, m_owners);
+    for(int side = 0; side < m_polygons.number_of_corners(); ++side)
       if(mates[side] >= 0 && mates[side] < side)
-        unite_ends(mates[side], side, fans);
-    return representatives(fans);
-  }
-
-  std::vector<int> representatives(Disjoint_sets& sets) const
-  {
-    std::vector<int> result(m_welded.vertices.size());
-    for(int c = 0; c < m_welded.number_of_corners(); ++c)
-      result[c] = sets.find(c);
-    return result;
+        fans.unite(mates[side], side);
+    return fans.representatives();
   }
 
   template <typename Visit>
   void for_each_used_corner(Visit visit) const
   {
-    for(int p = 0; p < m_welded.number(); ++p)
+    for(int p = 0; p < m_polygons.number(); ++p)
       if(m_is_used[p])
-        for(int c = m_welded.begin(p); c < m_welded.end(p); ++c)
+        for(int c = m_polygons.begin(p); c < m_polygons.end(p); ++c)
           visit(p, c);
-  }
-
-  // Unites the corners of two sides at the same vertices.
-  void unite_ends(int a, int b, Disjoint_sets& sets) const
-  {
-    const int a_end = m_welded.next(m_owners[a], a), b_end = m_welded.next(m_owners[b], b);
-    const bool is_same_direction = m_welded.vertices[a] == m_welded.vertices[b];
-    sets.unite(a, is_same_direction ? b : b_end);
-    sets.unite(a_end, is_same_direction ? b_end : b);
   }
 
   // Gives the corners of each fan a vertex of the surface. The first fan keeps the number of the vertex among those
   // that are not welded to another one, the others get numbers behind all of these.
   void number_fans()
   {
-    std::vector<int> first_fans(m_points.size(), -1), vertices_of_fans(m_welded.vertices.size(), -1);
+    std::vector<int> first_fans(m_points.size(), -1), vertices_of_fans(m_polygons.vertices.size(), -1);
     m_surface.origins.clear();
     std::vector<int> numbers(m_points.size(), -1);
     for(int v = 0; v < number_of_points(); ++v)
@@ -200,10 +202,10 @@ private:
         numbers[v] = int(m_surface.origins.size());
         m_surface.origins.push_back(v);
       }
-    m_vertices.assign(m_welded.vertices.size(), -1);
+    m_vertices.assign(m_polygons.vertices.size(), -1);
     for_each_used_corner([&](int, int c)
     {
-      const int v = m_welded.vertices[c], fan = m_fans[c];
+      const int v = m_polygons.vertices[c], fan = m_fans[c];
       if(first_fans[v] < 0)
       {
         first_fans[v] = fan;
@@ -231,7 +233,7 @@ private:
       for(int i = 0; i < edges.size(e); ++i)
       {
         const Soup_edges::Side& side = edges.side(e, i);
-        const int c = side.corner, end = m_welded.next(m_owners[c], c);
+        const int c = side.corner, end = m_polygons.next(m_owners[c], c);
         if(m_mates[c] >= 0 && m_mates[c] < c)
           continue; // met already
         if(!ends.emplace(m_vertices[side.is_upward ? c : end], m_vertices[side.is_upward ? end : c]).second)
@@ -248,7 +250,7 @@ private:
   bool open(int polygon)
   {
     bool has_changed = false;
-    for(int c = m_welded.begin(polygon); c < m_welded.end(polygon); ++c)
+    for(int c = m_polygons.begin(polygon); c < m_polygons.end(polygon); ++c)
       if(const int mate = std::exchange(m_mates[c], -1); mate >= 0)
       {
         m_mates[mate] = -1;
@@ -264,28 +266,25 @@ private:
     for(int v : m_surface.origins)
       m_surface.points.push_back(m_points[v]);
     m_surface.polygons = Polygons();
-    m_surface.polygons.vertices.reserve(m_welded.vertices.size());
-    m_surface.polygons.ends.reserve(m_welded.ends.size());
-    m_surface.polygon_origins.clear();
-    m_surface.polygon_origins.reserve(m_welded.ends.size());
-    m_surface.corners.assign(m_soup.vertices.size(), -1);
-    m_surface.is_on_surface.assign(m_soup.vertices.size(), 0);
-    for(int p = 0; p < m_welded.number(); ++p)
+    m_surface.polygons.vertices.reserve(m_polygons.vertices.size());
+    m_surface.polygons.ends.reserve(m_polygons.ends.size());
+    m_parts_of_surface.clear();
+    m_places.assign(m_polygons.vertices.size(), -1);
+    for(int p = 0; p < m_polygons.number(); ++p)
     {
       if(!m_is_used[p])
         continue;
-      int c = m_welded.begin(p);
-      for(int i = 0; i < m_welded.size(p); ++i, c = m_is_turned[p] ? m_welded.previous(p, c) : m_welded.next(p, c))
+      int c = m_polygons.begin(p);
+      for(int i = 0; i < m_polygons.size(p); ++i, c = m_is_turned[p] ? m_polygons.previous(p, c) : m_polygons.next(p, c))
       {
-        m_surface.corners[c] = m_surface.polygons.number_of_corners();
-        m_surface.is_on_surface[c] = 1;
+        m_places[c] = m_surface.polygons.number_of_corners();
         m_surface.polygons.vertices.push_back(m_vertices[c]);
       }
       m_surface.polygons.close();
-      m_surface.polygon_origins.push_back(p);
+      m_parts_of_surface.push_back(p);
     }
     m_surface.opposites.assign(m_surface.polygons.vertices.size(), -1);
-    execute_blocks(m_execution, m_welded.number_of_corners(), [&](int begin, int end)
+    execute_blocks(m_execution, m_polygons.number_of_corners(), [&](int begin, int end)
     {
       for(int c = begin; c < end; ++c)
         if(m_mates[c] >= 0)
@@ -296,7 +295,7 @@ private:
   int side_of_surface(int side) const
   {
     const int p = m_owners[side];
-    return m_surface.corners[m_is_turned[p] ? m_welded.next(p, side) : side];
+    return m_places[m_is_turned[p] ? m_polygons.next(p, side) : side];
   }
 
   bool open_doubled_polygons()
@@ -305,31 +304,63 @@ private:
       return false;
     bool has_changed = false;
     for(int p : triangulate_polygons(m_surface.points, m_surface.polygons, m_surface.opposites).doubled)
-      has_changed = open(m_surface.polygon_origins[p]) || has_changed;
+      has_changed = open(m_parts_of_surface[p]) || has_changed;
     return has_changed;
   }
 
-  // Duplicates have the UVs of the polygon that they repeat, degenerate polygons those of the surface at their
-  // vertices, if possible of a single polygon.
-  void place_left_out_polygons()
+  // Duplicates have the UVs of the polygon that they repeat, corners without area those of the corners that they count as,
+  // and polygons without area those of the surface at their vertices, if possible of a single polygon.
+  void place_corners()
   {
-    if(int(m_surface.polygon_origins.size()) == m_welded.number())
+    for(int p : m_parts_of_surface)
+      m_surface.polygon_origins.push_back(m_parts.origins()[p]);
+    m_surface.corners.assign(m_soup.vertices.size(), -1);
+    m_surface.is_on_surface.assign(m_soup.vertices.size(), 0);
+    m_surface.is_bound.assign(m_soup.vertices.size(), 0);
+    for(int p = 0; p < m_polygons.number(); ++p)
+    {
+      if(m_former[p] >= 0)
+        place_duplicate(p);
+      for(int c = m_polygons.begin(p); c < m_polygons.end(p); ++c)
+      {
+        m_surface.corners[m_parts.corners()[c]] = m_places[c];
+        m_surface.is_on_surface[m_parts.corners()[c]] = m_is_used[p];
+      }
+    }
+    for(int c = 0; c < m_soup.number_of_corners(); ++c)
+      if(const int other = m_parts.substitutes()[c]; other >= 0)
+      {
+        m_surface.corners[c] = m_surface.corners[other];
+        m_surface.is_bound[c] = other == c || m_soup.vertices[other] == m_soup.vertices[c];
+      }
+    place_polygons_without_area();
+  }
+
+  void place_duplicate(int p)
+  {
+    const int former = m_former[p];
+    int c = first_corner(m_polygons, p), d = first_corner(m_polygons, former);
+    for(int i = 0; i < m_polygons.size(p); ++i, c = m_polygons.next(p, c), d = m_polygons.next(former, d))
+      m_places[c] = m_places[d];
+  }
+
+  void place_polygons_without_area()
+  {
+    if(m_parts.without_area().empty())
       return;
     std::vector<int> first_corners(m_points.size(), -1); // at each vertex
     for_each_used_corner([&](int, int c)
     {
-      if(first_corners[m_welded.vertices[c]] < 0)
-        first_corners[m_welded.vertices[c]] = c;
+      if(first_corners[m_polygons.vertices[c]] < 0)
+        first_corners[m_polygons.vertices[c]] = c;
     });
-    for(int p = 0; p < m_welded.number(); ++p)
+    for(int p : m_parts.without_area())
     {
-      if(m_is_used[p])
-        continue;
-      int place = -1; // a corner of the soup on the surface
-      for(int c = m_welded.begin(p); c < m_welded.end(p) && place < 0; ++c)
-        place = m_former[p] >= 0 ? m_welded.begin(m_former[p]) : first_corners[m_welded.vertices[c]];
-      for(int c = m_welded.begin(p); c < m_welded.end(p) && place >= 0; ++c)
-        m_surface.corners[c] = m_surface.corners[nearest_corner(m_welded.vertices[c], place, first_corners)];
+      int place = -1;
+      for(int c = m_soup.begin(p); c < m_soup.end(p) && place < 0; ++c)
+        place = first_corners[m_soup.vertices[c]];
+      for(int c = m_soup.begin(p); c < m_soup.end(p) && place >= 0; ++c)
+        m_surface.corners[c] = m_places[nearest_corner(m_soup.vertices[c], place, first_corners)];
     }
   }
 
@@ -337,26 +368,29 @@ private:
   int nearest_corner(int v, int place, const std::vector<int>& first_corners) const
   {
     const int polygon = m_owners[place];
-    for(int c = m_welded.begin(polygon); c < m_welded.end(polygon); ++c)
-      if(m_welded.vertices[c] == v)
+    for(int c = m_polygons.begin(polygon); c < m_polygons.end(polygon); ++c)
+      if(m_polygons.vertices[c] == v)
         return c;
     return first_corners[v] >= 0 ? first_corners[v] : place;
   }
 
-  const std::vector<Point>& m_points;
-  const Polygons& m_soup;
-  const Execution m_execution;
-  Polygons m_welded; // the soup, of the vertices that stand for others
-  std::vector<int> m_representatives;
-  const std::vector<int> m_owners;
-  std::vector<int> m_former;
-  std::vector<char> m_is_used;
-  std::vector<int> m_mates; // per side of the soup
-  std::vector<int> m_fans;  // per corner of the soup, one that stands for its fan
-  std::vector<char> m_is_turned;
-  std::vector<int> m_vertices; // per corner of the soup, of the surface
-  std::array<Interpretation, 7> m_findings;
   Soup_surface m_surface;
+  const std::vector<Point>& m_points;
+  const Execution m_execution;
+  const std::vector<int> m_representatives;
+  const Polygons m_soup; // of the vertices that stand for others
+  const Polygon_parts m_parts;
+  const Polygons& m_polygons; // the parts
+  const std::vector<int> m_owners;
+  const std::vector<int> m_former;
+  std::vector<char> m_is_used;
+  std::vector<int> m_mates; // per side
+  std::vector<int> m_fans;  // per corner, one that stands for its fan
+  std::vector<char> m_is_turned;
+  std::vector<int> m_vertices; // per corner, of the surface
+  std::vector<int> m_places;   // per corner, that of the surface
+  std::vector<int> m_parts_of_surface; // per polygon of the surface
+  std::array<Interpretation, 9> m_findings;
 };
 
 } // namespace internal

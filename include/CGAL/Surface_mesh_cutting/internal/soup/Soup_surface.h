@@ -30,15 +30,16 @@ struct Soup_surface
 {
   std::vector<Point> points;
   std::vector<int> origins; // per vertex, the vertex of the soup
-  Polygons polygons;
+  Polygons polygons; // these may touch themselves, but no side has the same vertex twice
   std::vector<int> opposites;       // per side, the one across, or -1
-  std::vector<int> polygon_origins; // per polygon, the one of the soup
+  std::vector<int> polygon_origins; // per polygon, the one of the soup that it is, or is a loop of
 
-  // Per corner of the soup, the corner of the surface whose UV it has, -1 if it lies nowhere on the surface; and whether
-  // it is that corner.
+  // Per corner of the soup, the corner of the surface whose UV it has, -1 if it lies nowhere on the surface; whether it is
+  // that corner; and whether it has to have that UV, as it is in a polygon with area.
   std::vector<int> corners;
-  std::vector<char> is_on_surface;
+  std::vector<char> is_on_surface, is_bound;
 
+  bool is_welded = false; // whether vertices at the same point counted as one
   std::vector<Interpretation> findings;
 };
 

@@ -18,7 +18,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Marked_triangulation.h>
 
+#include <CGAL/Unique_hash_map.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -27,57 +31,115 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 // The constrained Delaunay triangulation of a polygon seen along its area vector; empty where that does not make
-// n - 2 triangles of the corners alone, as where the polygon crosses or touches itself. O(n log n) on usual polygons.
-inline std::vector<Triangle> constrained_triangulation(const std::vector<Point>& polygon)
+// n - 2 triangles of the corners alone, as where the polygon crosses itself. It may touch itself in corners and along
+// sides, as a polygon does whose hole is connected by a bridge. O(n log n) on usual polygons.
+class Constrained_polygon
 {
   using Triangulation = Surface_mesh_parameterization::internal::Marked_triangulation;
+  using Face_handle = Triangulation::Face_handle;
+  using Vertex_handle = Triangulation::Vertex_handle;
 
-  const Point normal = area_vector(polygon);
-  int axis = 0; // that the normal is closest to
-  for(int k : {1, 2})
-    if(std::abs(normal[k]) > std::abs(normal[axis]))
-      axis = k;
-  const int x = normal[axis] < 0 ? (axis + 2) % 3 : (axis + 1) % 3, y = 3 - axis - x;
+public:
+  explicit Constrained_polygon(const std::vector<Point>& polygon)
+  {
+    insert(polygon);
+    try
+    {
+      for(std::size_t i = 0; i < m_corners.size(); ++i)
+        if(m_corners[i] != next(i))
+          m_triangulation.insert_constraint(m_corners[i], next(i));
+    }
+    catch(const Triangulation::Intersection_of_constraints_exception&)
+    {
+      return;
+    }
+    if(m_triangulation.dimension() == 2)
+      collect_triangles();
+  }
 
-  Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> corners;
-  for(int i = 0; i < int(polygon.size()); ++i)
-  {
-    corners.push_back(triangulation.insert(Triangulation::Point(polygon[i][x], polygon[i][y])));
-    corners.back()->info() = i;
-  }
-  try
-  {
-    for(std::size_t i = 0; i < corners.size(); ++i)
-      if(corners[i] != corners[(i + 1) % corners.size()])
-        triangulation.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
-  }
-  catch(const Triangulation::Intersection_of_constraints_exception&)
-  {
-    return {};
-  }
-  if(triangulation.number_of_vertices() != corners.size() || triangulation.dimension() != 2)
-    return {};
+  // Of corners, oriented like the polygon.
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  for(auto face : triangulation.all_face_handles())
-    face->info() = false; // whether it is known to lie outside
-  std::vector<Triangulation::Face_handle> outside = {triangulation.infinite_face()};
-  outside.front()->info() = true;
-  while(!outside.empty())
+private:
+  Vertex_handle next(std::size_t i) const { return m_corners[(i + 1) % m_corners.size()]; }
+  Vertex_handle previous(std::size_t i) const { return m_corners[(i + m_corners.size() - 1) % m_corners.size()]; }
+
+  void insert(const std::vector<Point>& polygon)
   {
-    const Triangulation::Face_handle face = outside.back();
-    outside.pop_back();
-    for(int k = 0; k < 3; ++k)
-      if(!face->is_constrained(k) && !std::exchange(face->neighbor(k)->info(), true))
-        outside.push_back(face->neighbor(k));
+    const Point normal = area_vector(polygon);
+    int axis = 0; // that the normal is closest to
+    for(int k : {1, 2})
+      if(std::abs(normal[k]) > std::abs(normal[axis]))
+        axis = k;
+    const int x = normal[axis] < 0 ? (axis + 2) % 3 : (axis + 1) % 3, y = 3 - axis - x;
+    for(const Point& p : polygon)
+      m_corners.push_back(m_triangulation.insert(Triangulation::Point(p[x], p[y])));
   }
-  std::vector<Triangle> triangles;
-  for(auto face : triangulation.finite_face_handles())
-    if(!face->info())
-      triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-  if(triangles.size() + 2 != corners.size())
-    triangles.clear();
-  return triangles;
+
+  void collect_triangles()
+  {
+    for(std::size_t i = 0; i < m_corners.size(); ++i)
+      if(!take_sector(i))
+        return;
+    for(auto face : m_triangulation.finite_face_handles())
+      if(const Triangle t = m_corners_of_faces[face]; (std::min)({t[0], t[1], t[2]}) >= 0)
+        m_triangles.push_back(t);
+    if(m_triangles.size() + 2 != m_corners.size())
+      m_triangles.clear();
+  }
+
+  // Gives a corner to the faces between its two sides; false where that is impossible.
+  bool take_sector(std::size_t i)
+  {
+    const Vertex_handle v = m_corners[i];
+    Face_handle face;
+    int k;
+    if(!m_triangulation.is_edge(v, next(i), face, k))
+      return false;
+    face = face->neighbor(k); // on the left
+    while(!m_triangulation.is_infinite(face))
+    {
+      k = face->index(v);
+      if(std::exchange(m_corners_of_faces[face][k], int(i)) >= 0)
+        return false;
+      if(face->vertex(Triangulation::cw(k)) == previous(i))
+        return true;
+      if(face->is_constrained(Triangulation::ccw(k)))
+        return false;
+      face = face->neighbor(Triangulation::ccw(k));
+    }
+    return false;
+  }
+
+  Triangulation m_triangulation;
+  std::vector<Vertex_handle> m_corners; // there may be several at a vertex
+  Unique_hash_map<Face_handle, Triangle> m_corners_of_faces{Triangle{{-1, -1, -1}}};
+  std::vector<Triangle> m_triangles;
+};
+
+inline std::vector<Triangle> constrained_triangulation(const std::vector<Point>& polygon)
+{
+  return Constrained_polygon(polygon).triangles();
+}
+
+// A triangulation of a polygon with several corners at a vertex, as of a disk that touches itself: no triangle is flat or
+// turned over, no diagonal connects two corners at the same vertex. Empty if none is found.
+inline std::vector<Triangle> touching_triangulation(const std::vector<Point>& polygon, const Is_taken& is_same_vertex)
+{
+  constexpr std::size_t maximal_size_of_least = 32;
+  const Point area = area_vector(polygon);
+  const auto is_valid = [&](const std::vector<Triangle>& triangles)
+  {
+    return std::none_of(triangles.begin(), triangles.end(), [&](const Triangle& t)
+    {
+      return is_turned_over(polygon[t[0]], polygon[t[1]], polygon[t[2]], area) ||
+             is_same_vertex(t[0], t[1]) || is_same_vertex(t[1], t[2]) || is_same_vertex(t[2], t[0]);
+    });
+  };
+  std::vector<Triangle> triangles = constrained_triangulation(polygon);
+  if(polygon.size() <= maximal_size_of_least && (triangles.empty() || !is_valid(triangles)))
+    triangles = Least_triangulation(polygon, is_same_vertex).triangles();
+  return is_valid(triangles) ? triangles : std::vector<Triangle>();
 }
 
 } // namespace internal

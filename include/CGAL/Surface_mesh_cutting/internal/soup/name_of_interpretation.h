@@ -32,6 +32,8 @@ inline const char* name_of(Interpretation_kind kind)
     case Interpretation_kind::DUPLICATE_FACES: return "duplicate_faces";
     case Interpretation_kind::WELDED_VERTICES: return "welded_vertices";
     case Interpretation_kind::NON_ORIENTABLE_EDGES: return "non_orientable_edges";
+    case Interpretation_kind::REPEATED_CORNERS: return "repeated_corners";
+    case Interpretation_kind::DIVIDED_FACES: return "divided_faces";
   }
   return "";
 }
