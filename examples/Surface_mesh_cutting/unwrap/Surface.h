@@ -45,9 +45,8 @@ struct Surface
           return false;
       return numbers.size() == size;
     };
-    if(!counts(soup.originals, soup.originals.size()))
-      return false;
-    return counts(vertices, soup.points.size()) && counts(polygons, soup.polygon_ends.size());
+    return counts(soup.originals, soup.originals.size()) && counts(vertices, soup.points.size()) &&
+           counts(polygons, soup.polygon_ends.size());
   }
 };
 

@@ -42,7 +42,7 @@ standard input. Nothing is repaired, everything is interpreted: vertices and fac
 get equal ones merged). Faces may have any number of corners; they are never cut across. Edges
 with more than two faces keep pairs of them connected and are open to the others; vertices of
 several fans are as many vertices; where neighbors disagree about which side is up, as few
-faces as possible are read backward; faces with a vertex twice, and faces given again, get the
+faces as possible are read backward; faces without area, and faces given again, get the
 texture coordinates of the place where they lie. The report lists all this in "interpreted";
 --strict refuses it.
 
