@@ -190,7 +190,7 @@ private:
     Component_cutter cutter(std::move(problem), Context{parameters, control, m_context.clock, m_context.execution});
     const bool needs_map = output == Output_kind::MAP;
     part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(needs_map);
-    if(output != Output_kind::FEATURES && !has_result(part, output) && completes_early(mesh))
+    if(output != Output_kind::FEATURES && !has_result(part, output) && makes_do(mesh, part.status))
       part = cutter.completed_early(std::move(part), needs_map);
     part.cost *= cost_unit;
     for(Trade_off& t : part.trade_offs)
@@ -198,10 +198,12 @@ private:
     return part;
   }
 
-  // Whether a stopped run makes do with a cut and map of a component that take little time: on larger surfaces, even these
-  // take too much.
-  bool completes_early(const Indexed_mesh& component) const
+  // Whether a run without a result makes do with a cut and map of a component that take little time: after a numerical
+  // failure, since other components may be fine, and after a stop but on larger surfaces, where even these take too much.
+  bool makes_do(const Indexed_mesh& component, const Indexed_status& status) const
   {
+    if(status.finding.code == Status_code::NUMERICAL_FAILURE)
+      return true;
     constexpr int largest = 50000, largest_sum = 150000; // faces; several components do not take long to map
     return m_context.control.is_stopped() && component.number_of_faces() <= largest &&
            m_mesh.number_of_faces() <= largest_sum;

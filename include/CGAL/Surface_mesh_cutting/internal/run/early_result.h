@@ -83,8 +83,8 @@ inline Connected_cut early_cut(const Problem& problem, const std::vector<int>& t
   return connect_terminals(mesh, constraints, terminals, options, execution, always_go_further);
 }
 
-// Completes `found`, what a stopped run leaves of a surface, to a result: by a cut that takes little time to find, unless there
-// is one, and a map of it without overlaps. The status stays.
+// Completes `found`, what a run leaves of a surface that was stopped or failed numerically, to a result: by a cut that takes
+// little time to find, unless there is one, and a map of it without overlaps. The status of a stop stays.
 inline void complete_early(const Problem& problem, bool needs_map, const Context& context, Component_result& found)
 {
   if(!found.has_cut)
@@ -106,11 +106,14 @@ inline void complete_early(const Problem& problem, bool needs_map, const Context
     return;
   using namespace Surface_mesh_parameterization::internal;
   found.chart = make_chart(problem.mesh, found.cut);
-  found.has_map = early_map(problem, found.chart, [&context] { return context.control.was_just_stopped(); },
-                            context.execution, found.uv);
+  const auto goes_on = [&control = context.control]
+  { return control.is_stopped() ? control.was_just_stopped() : control.go_further(); };
+  found.has_map = early_map(problem, found.chart, goes_on, context.execution, found.uv);
   if(found.has_map)
     found.energy = area_average(problem.shapes, face_energies<Symmetric_Dirichlet_energy>(
                                                   problem.shapes, found.chart.triangles(), found.uv, context.execution));
+  if(found.has_map && found.status.finding.code == Status_code::NUMERICAL_FAILURE)
+    found.status = Indexed_status();
   found.keep_undominated_trade_offs();
 }
 
