@@ -164,14 +164,14 @@ class Stopping(Case):
         self.write("small.off", to_off(SPHERE))
         os.mkfifo(self.folder / "pipe")
         for number in (*SIGNALS, signal.SIGQUIT):
-            self.write("small.uv.obj", "former")
-            program = self.start("small.off", "--effort", "fast", "-o", "pipe", "--svg", "small.uv.obj")
-            self.wait_for_content("small.uv.obj", "former")
+            self.write("small.svg", "former")
+            program = self.start("small.off", "--effort", "fast", "-o", "pipe", "--svg", "small.svg")
+            self.wait_for_content("small.svg", "former")
             self.assertEqual(len(self.files()), 4)  # with the former one, until there is a reader of the pipe
             for _ in range(1 if number == signal.SIGQUIT else 2):
                 program.send_signal(number)
             self.assert_ends(program, -number, *([] if number == signal.SIGQUIT else [6]))
-            self.assertEqual(self.files(), ["pipe", "small.off", "small.uv.obj"])
+            self.assertEqual(self.files(), ["pipe", "small.off", "small.svg"])
 
     def test_hang_up_may_be_ignored(self):
         self.write("large.off", to_off(sphere(6)))
