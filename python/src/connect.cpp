@@ -76,11 +76,11 @@ Connected_points connect_points(const Surface_arguments& arguments, const Connec
   {
     const Indexed_mesh& mesh = adapter.mesh();
     SMC::internal::Run_control control([&] { return monitor.go_further(); }, {});
-    const SMC::internal::Connected_cut connected = SMC::internal::connect_indexed_points<Concurrency_tag>(
+    const SMC::internal::Connected_cut connected = SMC::internal::connect_indexed_points(
       mesh, constraints, terminals(surface, adapter),
       SMC::internal::read_cutting_parameters(CGAL::parameters::connection(options.connection)
                                                .maximum_number_of_states(options.maximum_number_of_states)),
-      control);
+      CGAL::internal::Graph_kernel::execution_of<Concurrency_tag>(), control);
     result.has_result = connected.has_cut();
     if(result.has_result)
     {

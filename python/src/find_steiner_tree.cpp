@@ -53,8 +53,9 @@ Steiner_result find_steiner_tree(const Graph_view& graph_view, const Indices& te
     if(!std::exchange(is_terminal[std::size_t(v)], char(1)))
       different.push_back(int(v));
 
-  const Core::Solution solution = Core::solve<CGAL::Parallel_if_available_tag>(
-    graph, different, options.options, [&] { return monitor.go_further(); });
+  const Core::Solution solution = Core::solve(
+    graph, different, options.options,
+    CGAL::internal::Graph_kernel::execution_of<CGAL::Parallel_if_available_tag>(), [&] { return monitor.go_further(); });
   Steiner_result result;
   result.outcome = outcome_of(solution.outcome, options.needs_proof);
   if(result.outcome == Steiner_outcome::TERMINALS_NOT_CONNECTED)

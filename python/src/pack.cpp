@@ -72,8 +72,9 @@ SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, co
   {
     SMC::internal::Run_control control([&] { return monitor.go_further(); },
                                        [&](SMC::Phase phase, double fraction) { monitor.progress(phase, fraction); });
-    result = SMC::internal::pack_indexed_charts<Concurrency_tag>(
-      chart, corner_uv, parameters, [](const Eigen::Vector2d& uv) { return uv; }, control);
+    result = SMC::internal::pack_indexed_charts(
+      chart, corner_uv, parameters, [](const Eigen::Vector2d& uv) { return uv; },
+      CGAL::internal::Graph_kernel::execution_of<Concurrency_tag>(), control);
   }
   return result;
 }

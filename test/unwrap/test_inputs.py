@@ -40,6 +40,17 @@ class Inputs(Case):
         self.result("lone.obj")
         self.assertIn("o \ufffd\n", (self.folder / "out.obj").read_text())
 
+    def test_lines_of_old_machines(self):
+        for name, text in TEXTS.items():
+            expected = self.result(self.write(name, text))
+            self.write(name, text.replace("\n", "\r").encode())
+            with self.subTest(name=name):
+                self.assertEqual(self.result(name), expected)
+        expected = self.result(self.write("big.ply", FORMATS["big.ply"]))
+        header, values = FORMATS["big.ply"].split(b"end_header\n", 1)
+        self.write("big.ply", (header + b"end_header\n").replace(b"\n", b"\r") + values)
+        self.assertEqual(self.result("big.ply"), expected)
+
     def test_encodings_of_constraints(self):
         self.write("a.off", to_off(SPHERE))
         for option, text in (("--terminals", selection(vertices=[0, 1])), ("--edge-weights", "0 2 3\n")):

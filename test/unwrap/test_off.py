@@ -32,12 +32,12 @@ def text(prefix, alpha=1):
     return "\n".join(lines) + "\n"
 
 
-def binary(prefix, alpha=1, colors=FACE_COLORS):
-    data = prefix.encode() + b"OFF BINARY\n" + (struct.pack(">i", 3) if "n" in prefix else b"")
-    data += struct.pack(">3i", len(POINTS), len(FACES), 0)
-    data += b"".join(struct.pack(f">{len(row)}f", *row) for row in rows(prefix, alpha))
+def binary(prefix, alpha=1, colors=FACE_COLORS, order=">"):
+    data = prefix.encode() + b"OFF BINARY\n" + (struct.pack(order + "i", 3) if "n" in prefix else b"")
+    data += struct.pack(order + "3i", len(POINTS), len(FACES), 0)
+    data += b"".join(struct.pack(f"{order}{len(row)}f", *row) for row in rows(prefix, alpha))
     for face, color in zip(FACES, colors):
-        data += struct.pack(f">5i{len(color)}f", 3, *face, len(color), *color)
+        data += struct.pack(f"{order}5i{len(color)}f", 3, *face, len(color), *color)
     return data
 
 
@@ -66,7 +66,7 @@ class Off(Case):
     def test_all_prefixes(self):
         for st, c, n, four, dimension in itertools.product(("", "ST"), ("", "C"), ("", "N"), ("", "4"), ("", "n")):
             prefix = st + c + n + four + dimension
-            for content in (text(prefix), binary(prefix)):
+            for content in (text(prefix), binary(prefix), binary(prefix, order="<")):
                 with self.subTest(prefix=prefix, is_text=isinstance(content, str)):
                     self.write("in.off", content)
                     code, report = self.report("in.off", "-o", "out.obj", "--effort", "fast")

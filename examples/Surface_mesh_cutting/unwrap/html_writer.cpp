@@ -1,6 +1,7 @@
 #include "html_writer.h"
 
 #include "base64.h"
+#include "distortion_image.h"
 #include "file_extension.h"
 #include "layout_energies.h"
 #include "outcome.h"

@@ -65,7 +65,7 @@ Polygon_soup read_soup(const std::string& path, Attributes attributes)
   const Reader read = find_reader_by_extension(path);
   if(read == read_stl && size_of_binary_stl(bytes) == bytes.size()) // whatever its header begins with
     return read_stl(bytes, attributes);
-  bytes = in_utf8(std::move(bytes));
+  bytes = with_line_feeds(in_utf8(std::move(bytes)));
   if(read == nullptr)
     return read_of_unknown_name(path, bytes, attributes);
   if(!refuse_content(bytes).empty())

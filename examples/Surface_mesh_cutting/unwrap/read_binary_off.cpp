@@ -17,7 +17,7 @@ class Binary_off_reader
 {
 public:
   Binary_off_reader(std::string_view bytes, const Off_header& header, Attributes attributes)
-    : m_bytes(bytes), m_header(header), m_attributes(header, attributes)
+    : m_bytes(bytes), m_header(header), m_is_big_endian(!is_little_endian(bytes, header)), m_attributes(header, attributes)
   {}
 
   Polygon_soup run()
@@ -37,12 +37,25 @@ public:
   }
 
 private:
+  // The format is big-endian, but some programs write what their machine has: then the file has room for the number of
+  // points only if it is read so.
+  static bool is_little_endian(std::string_view bytes, const Off_header& header)
+  {
+    const std::size_t place = header.has_dimension ? sizeof(std::int32_t) : 0;
+    if(bytes.size() < place + sizeof(std::int32_t))
+      return false;
+    const std::size_t room = bytes.size() / (sizeof(float) * std::size_t(header.number_of_coordinates()));
+    const auto has_room = [&](bool is_big_endian)
+    { return std::size_t(load<std::uint32_t>(bytes.substr(place), is_big_endian)) <= room; };
+    return has_room(false) && !has_room(true);
+  }
+
   template <typename Number>
   Number next()
   {
     if(m_bytes.size() < sizeof(Number))
       throw Failure(Exit_code::UNREADABLE, "the file ends before its last element");
-    const Number number = load<Number>(m_bytes, true);
+    const Number number = load<Number>(m_bytes, m_is_big_endian);
     m_bytes.remove_prefix(sizeof(Number));
     return number;
   }
@@ -93,6 +106,7 @@ private:
 
   std::string_view m_bytes; // that are not read yet
   const Off_header m_header;
+  const bool m_is_big_endian;
   Off_attributes m_attributes;
   Polygon_soup m_soup;
   std::vector<double> m_numbers;

@@ -2,6 +2,7 @@
 
 #include "byte_order.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -65,4 +66,17 @@ std::string in_utf8(std::string bytes)
     append(is_high(character) || is_low(character) ? replacement : character, text);
   }
   return text;
+}
+
+std::string with_line_feeds(std::string bytes)
+{
+  const auto replace = [&](std::size_t size)
+  { std::replace(bytes.begin(), bytes.begin() + std::ptrdiff_t(size), '\r', '\n'); };
+  constexpr std::string_view last_line = "end_header\r";
+  const std::size_t end = bytes.compare(0, 4, "ply\r") == 0 && bytes.compare(4, 1, "\n") != 0 ? bytes.find(last_line) : bytes.npos;
+  if(end != bytes.npos && bytes.substr(0, end).find("\rformat binary") != bytes.npos)
+    replace(end + last_line.size());
+  else if(bytes.find('\n') == bytes.npos && bytes.find('\0') == bytes.npos)
+    replace(bytes.size());
+  return bytes;
 }
