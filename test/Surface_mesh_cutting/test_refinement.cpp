@@ -267,7 +267,7 @@ void test_unreachable_bound()
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
                                   CGAL::parameters::maximum_average_distortion(4.001).edge_is_forbidden_map(is_forbidden));
   check(result.status.code == Status_code::BOUND_NOT_REACHED && result.has_result, "a bound out of reach");
-  check(!result.status.faces.empty(), "the faces in the way are named");
+  check(result.status.message.find("the bound 4.001") != std::string::npos, "the bound is told");
   check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate beyond the bound");
   for(double bound : {4., 0., -1., std::numeric_limits<double>::quiet_NaN()})
     check(SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::maximum_average_distortion(bound)).status.code ==
@@ -364,17 +364,14 @@ void test_stopping()
   const auto np = CGAL::parameters::maximum_average_distortion(4.05);
   Stopping_visitor counter;
   check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(counter)))), "not stopped");
-  int with_result = 0, without_result = 0;
   for(int i = 0; i <= 6; ++i)
   {
     Stopping_visitor visitor;
     visitor.last = 2 + i * (counter.questions - 3) / 6;
     const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(visitor)));
     check(result.status.code == Status_code::STOPPED, "stopped");
-    check(!result.has_result || bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "what is left is valid");
-    ++(result.has_result ? with_result : without_result);
+    check(result.has_result && bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "each stop leaves a valid result");
   }
-  check(with_result > 0 && without_result > 0, "a late stop leaves a result, an early one does not");
 }
 
 int main()

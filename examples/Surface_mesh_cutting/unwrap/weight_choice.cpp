@@ -24,7 +24,7 @@ std::optional<Weight_choice> parse_sky(const std::string& axis)
   return Weight_choice{Kind::SKY, "", found->second};
 }
 
-const std::map<std::string, Kind> names
+const std::map<std::string, Kind> names_of_kinds
   = {{"crease", Kind::CREASE},         {"concave", Kind::CONCAVE},     {"straight", Kind::STRAIGHT},
      {"visibility", Kind::VISIBILITY}, {"occlusion", Kind::OCCLUSION}, {"sky", Kind::SKY},
      {"colors", Kind::COLORS}};
@@ -37,7 +37,7 @@ void check_is_word_or_file(const Weight_choice& choice)
   if(choice.kind != Kind::EDGES || std::filesystem::exists(choice.file, error) || error)
     return;
   std::vector<std::string> words;
-  for(const auto& [name, kind] : names)
+  for(const auto& [name, kind] : names_of_kinds)
     words.push_back(name);
   throw Failure(Exit_code::UNREADABLE, choice.file + ": there is no such file, and --edge-weights knows the words "
                                          + joined(words) + " and paint:FILE" + suggestion(choice.file, words));
@@ -47,7 +47,7 @@ std::optional<Weight_choice> parse_weight_choice(const std::string& word)
 {
   constexpr std::string_view sky = "sky:", paint = "paint:";
   Weight_choice choice;
-  if(const auto found = names.find(word); found != names.end())
+  if(const auto found = names_of_kinds.find(word); found != names_of_kinds.end())
     choice.kind = found->second;
   else if(word.compare(0, sky.size(), sky) == 0)
     return parse_sky(word.substr(sky.size()));

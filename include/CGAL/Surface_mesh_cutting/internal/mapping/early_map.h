@@ -30,11 +30,13 @@ namespace internal {
 // A map without overlaps of a disk, quickly: Tutte's embedding of the coarsest stage of the hierarchy is refined to the whole,
 // and stages are optimized only as long as `goes_on()`. Should rounding spoil that, Tutte's embedding of the whole. False if
 // that fails, too.
-inline bool early_map(const Problem& problem, const Corner_table& chart, const Go_further& goes_on,
+inline bool early_map(const Problem& problem, const Corner_table& chart,
+                      const Surface_mesh_parameterization::internal::Solvers& given, const Go_further& goes_on,
                       Surface_mesh_parameterization::internal::Execution execution, std::vector<Eigen::Vector2d>& uv)
 {
   using namespace Surface_mesh_parameterization::internal;
-  const Solvers solvers = default_solvers(always_go_further, execution), stage_solvers = default_solvers(goes_on, execution);
+  const Solvers solvers = given.is_given ? given : default_solvers(always_go_further, execution);
+  const Solvers stage_solvers = given.is_given ? given : default_solvers(goes_on, execution);
   Scaffold_options options;
   options.decrease = 1e-2;
   options.moves_scaffold = true;

@@ -108,7 +108,7 @@ inline void complete_early(const Problem& problem, bool needs_map, const Context
   found.chart = make_chart(problem.mesh, found.cut);
   const auto goes_on = [&control = context.control]
   { return control.is_stopped() ? control.was_just_stopped() : control.go_further(); };
-  found.has_map = early_map(problem, found.chart, goes_on, context.execution, found.uv);
+  found.has_map = early_map(problem, found.chart, *context.parameters.linear_solvers, goes_on, context.execution, found.uv);
   if(found.has_map)
     found.energy = area_average(problem.shapes, face_energies<Symmetric_Dirichlet_energy>(
                                                   problem.shapes, found.chart.triangles(), found.uv, context.execution));
