@@ -83,7 +83,7 @@ class Results(Case):
                 ({"may_overlap": True}, ["--allow-overlap"]),
                 ({"scale": 'surface'}, ["--uv-scale", "surface"]),
                 ({"margin": 16, "texture_size": 256}, ["--margin", "16", "--texture-size", "256"]),
-                ({"turn": 'any'}, ["--rotate", "any"]),
+                ({"turn": 'quarter'}, ["--rotate", "quarter"]),
                 ({"turn": 'none'}, ["--rotate", "none"]),
                 ({"sharp": True}, ["--edge-weights", "crease"]),
                 ({"hidden": True}, ["--edge-weights", "visibility"]),

@@ -55,7 +55,7 @@ class Cut_refiner
 public:
   // The references are kept. What is mandatory, and the terminals, stay on the cut.
   Cut_refiner(const Problem& problem, const Context& context)
-    : m_problem(problem), m_mesh(problem.mesh), m_constraints(problem.constraints), m_parameters(context.parameters),
+    : m_problem(problem), m_mesh(problem.mesh), m_parameters(context.parameters),
       m_slits(problem.mesh, problem.constraints),
       m_removals(problem.mesh, problem.constraints), m_cut(problem, context)
   {}
@@ -332,7 +332,6 @@ private:
 
   const Problem& m_problem;
   const Indexed_mesh& m_mesh;
-  const Edge_constraints& m_constraints;
   const Cutting_parameters& m_parameters;
   Slit_search m_slits;
   Branch_removal_search m_removals;
