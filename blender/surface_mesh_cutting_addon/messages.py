@@ -28,7 +28,7 @@ _INTERPRETED = {
 }
 
 
-# What the program warns of, by words that it uses.
+# The program's warnings, by words that it uses.
 _WARNINGS = {
     "at the same point": "Several vertices are at the same place: merge them (Mesh > Merge > By Distance) if the faces there "
                          "belong together",

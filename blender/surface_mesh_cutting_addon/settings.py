@@ -5,7 +5,7 @@ import math
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
-# What a preset does not mention has the value of "Balanced".
+# A setting that a preset does not mention has the value of "Balanced".
 BALANCED = {"limits_stretch": False, "stretch": 12.0, "cut_sharp": False, "hidden": False, "straight": False}
 PRESETS = {
     'BALANCED': {},

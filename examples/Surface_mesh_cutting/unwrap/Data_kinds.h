@@ -1,4 +1,4 @@
-// What mesh files hold besides points, polygons, and the texture coordinates that a run replaces.
+// The kinds of data in mesh files besides points, polygons, and the texture coordinates that a run replaces.
 
 #ifndef UNWRAP_DATA_KINDS_H
 #define UNWRAP_DATA_KINDS_H

@@ -9,7 +9,7 @@
 
 namespace gltf {
 
-// What the format calls the uses of a view of a buffer, and types of components.
+// The format's numbers for the uses of a view of a buffer, and for types of components.
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 constexpr int unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, single = 5126;
 

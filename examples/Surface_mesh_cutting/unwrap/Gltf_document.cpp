@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view magic = "glTF";
 
-// What is read from a buffer is told with its number.
+// An error in a buffer names its number.
 std::string name_of(const char* kind, std::size_t index) { return kind + (" " + std::to_string(index)); }
 
 void check_version(const Json& description)
@@ -28,7 +28,7 @@ void check_version(const Json& description)
     fail("damaged glTF: its asset.version is " + quoted(version) + " instead of '2.0'");
 }
 
-// What to do about meshes that cannot be read.
+// Advice about meshes that cannot be read.
 std::string advice(const std::string& extension)
 {
   return extension == "KHR_draco_mesh_compression" ? "; 'gltf-transform copy IN.glb OUT.glb' decodes it"
