@@ -48,7 +48,7 @@ void check_required(const Json& description)
   }
 }
 
-// Of the chunks, the first is the description.
+// The first chunk is the description.
 Json read_binary(std::string_view bytes, std::optional<std::string>* chunk)
 {
   constexpr std::size_t header = 12, chunk_header = 8;

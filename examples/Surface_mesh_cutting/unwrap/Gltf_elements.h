@@ -1,4 +1,4 @@
-// What an accessor of a glTF file refers to.
+// The elements to which an accessor of a glTF file refers.
 
 #ifndef UNWRAP_GLTF_ELEMENTS_H
 #define UNWRAP_GLTF_ELEMENTS_H

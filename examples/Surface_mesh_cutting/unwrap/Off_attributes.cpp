@@ -19,7 +19,7 @@ std::array<double, 3> three(const std::vector<double>& numbers, std::size_t firs
   return {{numbers[first], numbers[first + 1], numbers[first + 2]}};
 }
 
-// Of polygons without one, it is what the format says.
+// Polygons without one have the color that the format says.
 void complete_face_colors(Polygon_soup& soup)
 {
   constexpr double gray = 2. / 3;

@@ -1,4 +1,4 @@
-// What an OFF file says besides points and polygons.
+// The data of an OFF file besides points and polygons.
 
 #ifndef UNWRAP_OFF_ATTRIBUTES_H
 #define UNWRAP_OFF_ATTRIBUTES_H

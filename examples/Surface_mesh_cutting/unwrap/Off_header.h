@@ -5,7 +5,7 @@
 
 #include "Text_scanner.h"
 
-// What there is for each point, in this order.
+// The data of each point, in this order.
 struct Off_header
 {
   bool is_homogeneous = false; // a fourth coordinate, by which to divide

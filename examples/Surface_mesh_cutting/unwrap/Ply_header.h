@@ -46,7 +46,7 @@ struct Ply_header
   std::vector<std::string_view> comments;    // the text of all others
 
   std::size_t number_of_elements() const;
-  // What the file holds besides points, polygons and texture coordinates.
+  // The kinds of data besides points, polygons and texture coordinates.
   Data_kinds kinds() const;
 
   // The line that names the file of a texture begins so.

@@ -34,8 +34,6 @@ namespace internal {
 // Lets the parts of a chart lie elsewhere where they are in each other's way, see `Chart_regluing`, for maps without overlaps.
 class Injective_regluer
 {
-  using Refiner = Cut_refiner;
-
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -63,7 +61,7 @@ public:
       Cut rearranged = regluing.rearranged(cost_of_overlap, m_context.control).cut;
       if(rearranged == overlapping.cut || rearranged == former || !m_context.control.go_further())
         continue;
-      Refiner refiner(m_problem, m_context);
+      Cut_refiner refiner(m_problem, m_context);
       if(refiner.start(rearranged))
         try_cut(refiner, goal, shortens, cut, result);
       seen.insert(seen.end(), refiner.cut().trade_offs().begin(), refiner.cut().trade_offs().end());
@@ -73,7 +71,7 @@ public:
   }
 
 private:
-  void try_cut(Refiner& refiner, double goal, bool shortens, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
+  void try_cut(Cut_refiner& refiner, double goal, bool shortens, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
   {
     const double energy = take_if_better(refiner, goal, cut, overlapping);
     if(shortens && shorten(energy, goal, refiner))
@@ -81,7 +79,7 @@ private:
   }
 
   // Returns the energy of the map without overlaps.
-  double take_if_better(const Refiner& refiner, double goal, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
+  double take_if_better(const Cut_refiner& refiner, double goal, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
   {
     Injective_cut other;
     const Open_chart& running = refiner.cut().chart();
@@ -104,7 +102,7 @@ private:
   // As if the map without overlaps stayed as much above the other one as it is. False if that comes to nothing: where it is
   // too far above the goal, longer cuts would make room by chance only; and what takes many slits is no better than the given
   // cut with slits.
-  bool shorten(double energy, double goal, Refiner& refiner) const
+  bool shorten(double energy, double goal, Cut_refiner& refiner) const
   {
     constexpr int enough_solves = 20;
     const double gap = (std::max)(0., energy - refiner.cut().energy());

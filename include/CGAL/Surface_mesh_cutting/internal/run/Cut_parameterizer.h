@@ -43,7 +43,6 @@ namespace internal {
 // elsewhere, slits let them turn aside, or seams divide several charts.
 class Cut_parameterizer
 {
-
 public:
   // The references are kept.
   Cut_parameterizer(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}

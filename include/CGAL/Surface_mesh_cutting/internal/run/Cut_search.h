@@ -45,8 +45,6 @@ inline bool searches(const Problem& problem, const Cutting_parameters& parameter
 // features of the best and those of others follow, from which refinement removes what is not needed.
 class Cut_search
 {
-  using Refiner = Cut_refiner;
-
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -123,12 +121,12 @@ private:
   void map(Found& found) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
-    Refiner refiner(m_problem, m_context);
+    Cut_refiner refiner(m_problem, m_context);
     if(refiner.connect(found.detected.features, false) && refiner.map())
       take(refiner, found);
   }
 
-  static void take(const Refiner& refiner, Found& found)
+  static void take(const Cut_refiner& refiner, Found& found)
   {
     found.detected.features = refiner.cut().features();
     found.chart = refiner.cut().chart();
@@ -174,7 +172,7 @@ private:
       std::vector<int> united = best.detected.features;
       if(found[i].cost == infinity || !add_remote(found[i].detected.features, best.chart.cut, united))
         continue;
-      Refiner refiner(m_problem, m_context);
+      Cut_refiner refiner(m_problem, m_context);
       Found other = refined(refiner, united, limited(number_of_solves));
       add(other.trade_offs, result.trade_offs);
       if(is_better(other, best))
@@ -196,7 +194,7 @@ private:
     constexpr int more_solves_with_bound = 40, more_solves_without_bound = 6;
     const bool is_bounded = m_parameters.has_bound();
     const int number_of_finalists = (std::min)(is_bounded ? finalists_with_bound : 1, int(found.size()));
-    std::vector<Refiner> refiners(number_of_finalists, Refiner(m_problem, m_context));
+    std::vector<Cut_refiner> refiners(number_of_finalists, Cut_refiner(m_problem, m_context));
     std::vector<Found> finalists(number_of_finalists);
     execute(m_context.execution, number_of_finalists, [&](int i)
     {
@@ -206,11 +204,11 @@ private:
     });
     const auto better = [this](const Found& a, const Found& b) { return is_better(a, b); };
     const auto first = std::min_element(finalists.begin(), finalists.end(), better);
-    Refiner& refiner = refiners[first - finalists.begin()];
+    Cut_refiner& refiner = refiners[first - finalists.begin()];
     Found last;
     if(first->cost < infinity && m_control.go_further())
       last = refined_further(refiner, limited(is_bounded ? more_solves_with_bound : more_solves_without_bound));
-    for(const Refiner& r : refiners)
+    for(const Cut_refiner& r : refiners)
       add(r.cut().trade_offs(), trade_offs);
     const Found& finalist = better(last, *first) ? last : *first;
     return better(finalist, found.front()) ? finalist : found.front();
@@ -221,14 +219,14 @@ private:
     trade_offs.insert(trade_offs.end(), others.begin(), others.end());
   }
 
-  Found refined(Refiner& refiner, const std::vector<int>& features, const Refinement_goal& goal) const
+  Found refined(Cut_refiner& refiner, const std::vector<int>& features, const Refinement_goal& goal) const
   {
     if(!refiner.connect(features, false) || !refiner.map())
       return Found();
     return refined_further(refiner, goal);
   }
 
-  Found refined_further(Refiner& refiner, const Refinement_goal& goal) const
+  Found refined_further(Cut_refiner& refiner, const Refinement_goal& goal) const
   {
     refine(refiner, goal, exchange_parameters());
     Found found;

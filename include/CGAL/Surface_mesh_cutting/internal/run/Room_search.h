@@ -35,8 +35,6 @@ namespace internal {
 // same length can be rearranged to charts that need far more room or far less, longer ones are rearranged as well.
 class Room_search
 {
-  using Refiner = Cut_refiner;
-
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal, infinity = std::numeric_limits<double>::infinity();
   static constexpr double share_before_longer_cuts = 0.5; // of the work for room, to show
   static constexpr double little = 0.02, much = 0.1;      // of the cost
@@ -50,7 +48,7 @@ public:
   {}
 
   // `result`: the map without overlaps of the refiner's cut.
-  void operator()(const Refiner& refiner, double repair_threshold, Component_result& result) const
+  void operator()(const Cut_refiner& refiner, double repair_threshold, Component_result& result) const
   {
     if(!m_parameters.has_bound() || !m_parameters.do_bijective || !(result.energy > m_bound) || // nor if it is not a number
        !m_context.control.go_further())
@@ -86,7 +84,7 @@ private:
   }
 
   // `with_slits`: the given cut with slits, if they were tried.
-  void make_room(const Refiner& refiner, double repair_threshold, Crowded given, std::optional<Component_result> with_slits,
+  void make_room(const Cut_refiner& refiner, double repair_threshold, Crowded given, std::optional<Component_result> with_slits,
                  Component_result& result) const
   {
     std::vector<Crowded> crowded;
@@ -179,7 +177,7 @@ private:
   // overlaps, between what failed and what did not. At first that is lowered by half of what is missing: a longer cut lowers
   // the energy of the map without overlaps, too. Cuts that cost as much as `limit` are not mapped. If none keeps the bound, the
   // one nearest to it.
-  Component_result lengthened(const Refiner& start, double repair_threshold, const std::vector<Crowded>& crowded,
+  Component_result lengthened(const Cut_refiner& start, double repair_threshold, const std::vector<Crowded>& crowded,
                               double limit) const
   {
     constexpr int maximum_number_of_rounds = 6, solves = 10;
@@ -201,7 +199,7 @@ private:
     {
       if(number_of_solved_faces > (kept == ideal ? maximum_number_of_solved_faces : enough_solved_faces))
         break;
-      Refiner refiner = start;
+      Cut_refiner refiner = start;
       lower(refiner, {target, repair_threshold, solves});
       const std::vector<Trade_off>& all = refiner.cut().trade_offs();
       number_of_solved_faces += double(all.size() - seen_before) * m_problem.mesh.number_of_faces();
@@ -225,14 +223,14 @@ private:
     return best;
   }
 
-  void lower(Refiner& refiner, const Refinement_goal& goal) const
+  void lower(Cut_refiner& refiner, const Refinement_goal& goal) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
     refine(refiner, goal, m_parameters);
   }
 
   // Returns the energy before slits: they are for what little is missing then.
-  double map_with_room(const Refiner& refiner, Component_result& result) const
+  double map_with_room(const Cut_refiner& refiner, Component_result& result) const
   {
     m_parameterizer(refiner.cut(), result);
     if(!result.has_map)

@@ -32,8 +32,6 @@ namespace internal {
 // Detects, connects, refines and parameterizes a surface without handles, from one start.
 class Start_run
 {
-  using Refiner = Cut_refiner;
-
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
 
 public:
@@ -53,7 +51,7 @@ public:
   struct Begun
   {
     Component_result result;
-    std::unique_ptr<Refiner> refiner;
+    std::unique_ptr<Cut_refiner> refiner;
     double repair_threshold = ideal;
     bool is_refined = false, is_prepared = false;
   };
@@ -81,7 +79,7 @@ public:
         take_found(std::move(detected), start.result);
       return start;
     }
-    Refiner refiner(m_problem, m_context);
+    Cut_refiner refiner(m_problem, m_context);
     if(!connect(refiner, detected, start.result) || !(needs_map || refines()))
       return start;
     start.is_refined = detected.is_refined && !m_is_coarsened;
@@ -92,7 +90,7 @@ public:
     // Where connecting the features loses too much, the filter's own cut is better.
     else if(refiner.cut().chart().energy > detected.repair_threshold && !m_problem.initial.is_given() && !m_is_coarsened)
       refiner.replace_tree(std::move(detected.chart));
-    start.refiner = std::make_unique<Refiner>(std::move(refiner));
+    start.refiner = std::make_unique<Cut_refiner>(std::move(refiner));
     return start;
   }
 
@@ -125,7 +123,7 @@ public:
                                                                   m_problem.terminals, m_context.execution, m_control);
     if(!given.status)
       return results;
-    Refiner refiner(m_problem, m_context);
+    Cut_refiner refiner(m_problem, m_context);
     if(!refiner.start(given.cut))
       return results;
     Component_result completed, shortened;
@@ -187,7 +185,7 @@ private:
     return m_is_coarsened ? m_parameters.number_of_corrective_solves : m_parameters.number_of_shortening_solves;
   }
 
-  bool connect(Refiner& refiner, const Detected_features& detected, Component_result& result) const
+  bool connect(Cut_refiner& refiner, const Detected_features& detected, Component_result& result) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::CONNECT);
     m_control.report(Phase::CONNECT, 0);
@@ -202,7 +200,7 @@ private:
     return true;
   }
 
-  bool map(Refiner& refiner, Component_result& result) const
+  bool map(Cut_refiner& refiner, Component_result& result) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     // At full resolution a second solve costs more than the precision that refinement does not need.
@@ -224,7 +222,7 @@ private:
       result.status = bound_missed(result.energy, m_parameters.maximum_average_distortion);
   }
 
-  void refine_and_parameterize(Refiner& refiner, const Refinement_goal& goal, Component_result& result) const
+  void refine_and_parameterize(Cut_refiner& refiner, const Refinement_goal& goal, Component_result& result) const
   {
     if(refines() || refiner.cut().chart().energy > goal.repair_threshold)
     {
