@@ -54,20 +54,8 @@ struct Cutting_parameters
   bool use_published_method = false;
   // Whether the final map of a component has to be injective, too.
   bool do_bijective = false;
-  int number_of_starts = 1;            // of a search for features; one: there is no search
-  int number_of_combinations = 0;      // of what starts find, at most
-  Effort effort = Effort::DEFAULT;     // the best one also runs the smaller ones, and returns the best result
-  bool moves_ends = false;             // where features are found, of a cut at a bound
-  bool opens_slits_first = false;      // where a map without overlaps misses a bound, before the running map goes below
-  bool ends_early_in_room = false;     // whether maps without overlaps take no factorization that gains little
+  Effort effort = Effort::DEFAULT;     // the best one also runs the smaller ones
   std::optional<int> given_coarse_number_of_faces; // by the caller
-  int coarse_number_of_faces = 0;      // on which features are found; 0: on those of the mesh
-  // A coarse map does not resolve all that a slit gains around its end. Asked for the same gain, it keeps too few
-  // features: measured at full resolution, the energy is as low as that of features found there with this factor.
-  double resolved_gain = 0.85;
-  bool is_coarser_where_small = false; // see `adapted_to_size()`
-  int number_of_shortening_solves = 0; // at most, where features are found
-  int number_of_corrective_solves = 0; // at most, on the mesh if that is finer
   // How the feature points are connected; its decrease is epsilon_len as a length.
   CGAL::internal::Steiner_tree::Options connection;
   // More, on surfaces with handles, are not connected by a tree that is proven shortest: it would take too long.
@@ -78,55 +66,25 @@ struct Cutting_parameters
   // budget; most trees are proven optimal within this one.
   std::size_t number_of_states_while_refining = 500000;
   unsigned int random_seed = 0;
-  bool adds_start = true; // whether that of the seed comes to those of the first seeds, where there are several at a bound
   // For the sparse systems of all maps; not needed where nothing is mapped.
   std::shared_ptr<const Surface_mesh_parameterization::internal::Solvers> linear_solvers;
 
-  // On a small surface, features of a still coarser version lead to cuts of about the same quality, and finding them takes
-  // most of the time; on a large one, it does not. Maps of a small one take so little time that trees which are hard to
-  // prove optimal would take most of it.
-  Cutting_parameters adapted_to_size(int number_of_faces) const
+  // Maps of a small surface take so little time that trees which are hard to prove optimal would take most of it.
+  void adapt_to_size(int number_of_faces)
   {
-    constexpr int largest_number_of_faces = 25000;
     constexpr std::size_t states_per_face = 100;
-    Cutting_parameters result = *this;
     if(!needs_optimal_tree)
-      result.number_of_states_while_refining
+      number_of_states_while_refining
         = (std::min)(number_of_states_while_refining, states_per_face * std::size_t(number_of_faces));
-    if(is_coarser_where_small && number_of_faces <= largest_number_of_faces)
-    {
-      result.coarse_number_of_faces = 3000;
-      result.resolved_gain = 0.78;
-    }
-    return result;
-  }
-
-  // Costs are in units of what a unit of length costs on average over the surface: exchange rates remain.
-  void adapt_to_weights()
-  {
-    has_weights = true;
-    adapt_effort_to_weights();
-  }
-
-  void adapt_effort_to_weights()
-  {
-    constexpr int least_number_of_solves = 16;
-    if(!has_weights)
-      return;
-    moves_ends = false; // they move to cheap places
-    if(number_of_shortening_solves > 0)
-      number_of_shortening_solves = (std::max)(number_of_shortening_solves, least_number_of_solves);
   }
 
   bool has_bound() const { return maximum_average_distortion < std::numeric_limits<double>::infinity(); }
 
-  // Of a map with that energy, over the bound; infinite if it is not a number.
-  double excess(double energy) const
-  {
-    if(!has_bound() || energy <= maximum_average_distortion)
-      return 0;
-    return energy > maximum_average_distortion ? energy - maximum_average_distortion : std::numeric_limits<double>::infinity();
-  }
+  // Where a map without overlaps misses a bound, before the running map goes below.
+  bool opens_slits_first() const { return has_bound() && effort != Effort::FAST; }
+
+  // Whether maps without overlaps take no factorization that gains little.
+  bool ends_early_in_room() const { return !has_bound() && effort == Effort::FAST && !use_published_method; }
 
   // Cost: to remove less of a cut is not worth another map.
   double least_removal() const

@@ -37,16 +37,9 @@ struct Detected_features
   int number_of_candidates = 0;
   std::vector<int> features; // sorted, with the terminals
   Open_chart chart;          // opened along the paths that led to them; empty if found on a coarser version
-  bool is_refined = false;   // the chart, along a cut through the features
   std::vector<Trade_off> trade_offs;
-  // Of the cut through the features, where it was refined.
-  double cost = std::numeric_limits<double>::infinity();
-  double energy = std::numeric_limits<double>::infinity();
-  double prepared_cost = std::numeric_limits<double>::infinity(); // before ends were moved at a bound
   // Whether their map has so much distortion that no cut seems to lead to a useful one.
   bool is_hopeless = false;
-  // The energy above which the cut through the features is worth a repair.
-  double repair_threshold = std::numeric_limits<double>::infinity();
 };
 
 // Candidates and filtering for one connected surface (paper, Section 3.1). A closed surface of genus
@@ -62,10 +55,9 @@ public:
       m_control(context.control)
   {}
 
-  // From the `i`-th start.
-  Detected_features run(int i)
+  Detected_features run()
   {
-    std::mt19937 engine(m_parameters.random_seed + 7919u * unsigned(i));
+    std::mt19937 engine(m_parameters.random_seed);
     const int start = int(engine() % std::mt19937::result_type(m_mesh.number_of_vertices()));
     Detected_features result;
     Cut opening;
@@ -73,25 +65,12 @@ public:
     if(result.status)
       filter(start, opening, std::move(candidates), result);
     result.is_hopeless = !result.trade_offs.empty() && result.trade_offs.back().average_distortion > hopeless_energy;
-    result.repair_threshold = repair_threshold(result.trade_offs);
     return result;
   }
 
 private:
   // Whether the first cut is to be found yet.
   bool is_closed() const { return m_problem.is_sphere && !m_problem.initial.is_given(); }
-
-  // About the energy of a given cut; otherwise twice the filter's, which connecting exceeds on needle triangles
-  // only. The paper does not repair.
-  double repair_threshold(const std::vector<Trade_off>& cuts) const
-  {
-    constexpr double repaired_excess = 2;
-    if(!cuts.empty() && m_problem.initial.is_given())
-      return cuts.front().average_distortion + m_parameters.minimum_distortion_decrease;
-    if(cuts.empty() || m_parameters.use_published_method)
-      return std::numeric_limits<double>::infinity();
-    return repaired_excess * cuts.back().average_distortion;
-  }
 
   std::vector<Candidate> find(int start, Cut& opening, Detected_features& result)
   {

@@ -62,7 +62,7 @@ inline Newton_result final_map(const Problem& problem, const Open_chart& running
   // Factorizations at full resolution are what takes long, and the first one leads near the optimum.
   constexpr double least_decrease = 5e-4;
   Newton_options options = final_options(context);
-  if(context.parameters.ends_early_in_room)
+  if(context.parameters.ends_early_in_room())
     options.least_decrease = least_decrease;
   return Surface_mesh_parameterization::internal::make_bijective(
     running.chart, chart_points(problem.mesh, running.chart), problem.shapes, *context.parameters.linear_solvers, uv,

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Objective.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 
@@ -44,11 +44,11 @@ class End_search
 
 public:
   // The references are kept. `keeps_tree`: see `Refinement_limits`.
-  End_search(const Problem& problem, const Cutting_parameters& parameters, bool keeps_tree,
+  End_search(const Problem& problem, const Cutting_parameters& parameters, const Objective& objective, bool keeps_tree,
              Working_cut& cut)
     : m_problem(problem), m_mesh(problem.mesh), m_parameters(parameters), m_keeps_tree(keeps_tree), m_cut(cut),
       m_removals(problem.mesh, problem.constraints), m_slits(problem.mesh, problem.constraints),
-      m_cost_at_bound(parameters.maximum_average_distortion)
+      m_objective(objective)
   {}
 
   // Once for each branch, the most expensive first, of which at most such a share of the whole cut is closed.
@@ -62,11 +62,11 @@ public:
       if(part.tip < 0)
         return;
       is_done[part.tip] = 1;
-      m_cost_at_bound.compare_with(m_cut.energy());
+      m_objective.compare_with(m_cut.energy());
       Mapped_cut former = m_cut.state();
       if(move_end(part, former, is_done) && (!m_keeps_tree || reconnect(former)))
       {
-        m_cost_at_bound.adapt(m_cut.energy());
+        m_objective.adapt(m_cut.energy());
         keep_best();
       }
       else
@@ -82,7 +82,7 @@ public:
     {
       if(!m_cut.goes_on())
         return;
-      m_cost_at_bound.compare_with(m_cut.energy());
+      m_objective.compare_with(m_cut.energy());
       Mapped_cut former = m_cut.state();
       m_cut.drop_feature(v);
       m_cut.connect(m_parameters.connection_while_refining());
@@ -102,11 +102,11 @@ public:
     {
       if(!m_cut.goes_on())
         return;
-      m_cost_at_bound.compare_with(m_cut.energy());
+      m_objective.compare_with(m_cut.energy());
       Mapped_cut former = m_cut.state();
       if(m_cut.reroute(share) && is_better_than(former))
       {
-        m_cost_at_bound.adapt(m_cut.energy());
+        m_objective.adapt(m_cut.energy());
         keep_best();
       }
       else
@@ -123,7 +123,8 @@ public:
 private:
   void keep_best()
   {
-    if(m_cut.energy() <= m_parameters.maximum_average_distortion && (!m_best || m_cut.cost() < m_best->cost))
+    if(m_objective.keeps_bound(m_cut.energy()) &&
+       (!m_best || m_objective.rank(m_cut.cost(), m_cut.energy()) < m_objective.rank(m_best->cost, m_best->energy())))
       m_best = m_cut.state();
   }
 
@@ -150,9 +151,9 @@ private:
   // Of the map that counts, if the running map leaves a chance: its energy is known, and no higher.
   bool is_better_than(const Mapped_cut& former) const
   {
-    const double limit = worthwhile * m_cost_at_bound(former.cost, former.energy());
+    const double limit = worthwhile * m_objective(former.cost, former.energy());
     const auto is_below = [&](double energy)
-    { return m_cost_at_bound.can_tell(energy) && m_cost_at_bound(m_cut.cost(), energy) < limit; };
+    { return m_objective.can_tell(energy) && m_objective(m_cut.cost(), energy) < limit; };
     return is_below(m_cut.running_energy()) && is_below(m_cut.energy());
   }
 
@@ -190,18 +191,18 @@ private:
     slits.pop_back();
     const double least = ideal + least_energy * (former_energy - ideal);
     Slit best;
-    double best_cost = m_cost_at_bound(m_cut.cost(), m_cut.running_energy());
+    double best_cost = m_objective(m_cut.cost(), m_cut.running_energy());
     for(Slit& slit : slits)
     {
       slit.gain *= factor;
-      const double cost = m_cost_at_bound(m_cut.cost() + slit.cost, (std::max)(least, m_cut.running_energy() - slit.gain));
+      const double cost = m_objective(m_cut.cost() + slit.cost, (std::max)(least, m_cut.running_energy() - slit.gain));
       if(cost < best_cost)
       {
         best_cost = cost;
         best = std::move(slit);
       }
     }
-    return best_cost < m_cost_at_bound(m_cut.cost() + part.cost, former_energy) ? best : Slit();
+    return best_cost < m_objective(m_cut.cost() + part.cost, former_energy) ? best : Slit();
   }
 
   // What opening the closed part again would gain is known.
@@ -229,7 +230,7 @@ private:
   Working_cut& m_cut;
   Branch_removal_search m_removals;
   Slit_search m_slits;
-  Length_at_bound m_cost_at_bound;
+  Objective m_objective;
   std::optional<Mapped_cut> m_best;
 };
 

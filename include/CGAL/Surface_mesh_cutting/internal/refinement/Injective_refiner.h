@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/vertex_distortion.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Objective.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
@@ -134,7 +134,7 @@ private:
     constexpr double share = 0.8;      // of that sum
     constexpr double least_gain = 0.5; // per cost, relative to the best: with others opened, better ones are found
     const double least_gain_per_cost
-      = m_context.parameters.opens_slits_first ? least_gain * trials.front().slit.gain_per_cost() : 0;
+      = m_context.parameters.opens_slits_first() ? least_gain * trials.front().slit.gain_per_cost() : 0;
     std::vector<int> edges, ends = cut.ends;
     double gain = 0;
     for(const Trial& t : trials)
@@ -192,7 +192,7 @@ private:
       excess[v] += Symmetric_Dirichlet_energy::ideal - m_reference[v];
     std::vector<Slit> slits = m_slits.proposals(cut.cut, excess, m_is_excluded, number_of_each);
     add(m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each), slits);
-    if(m_context.parameters.opens_slits_first)
+    if(m_context.parameters.opens_slits_first())
       add(best_by_windows(goal, cut, distortion), slits);
     CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return slit.cost; });
     return slits;
@@ -217,7 +217,7 @@ private:
                                       number_of_slits, std::numeric_limits<double>::infinity(), map);
     if(missing < near * (goal - Symmetric_Dirichlet_energy::ideal))
     {
-      const double missing_cost = Length_at_bound(goal)(cost(cut), cut.map.energy) - cost(cut);
+      const double missing_cost = Objective(goal, 0)(cost(cut), cut.map.energy) - cost(cut);
       add(best_of(m_slits.prolongations(cut.cut, m_is_excluded, missing_cost), number_of_short_slits, missing, map), slits);
     }
     return slits;
@@ -264,7 +264,7 @@ private:
     options.decrease = 4e-4; // the slit is narrow at first, and what it gains comes late
     options.maximum_rounds = 6;
     options.go_further = m_context.control;
-    if(m_context.parameters.ends_early_in_room)
+    if(m_context.parameters.ends_early_in_room())
       options.enough_energy = goal;
     const Newton_result newton = Scaffold_minimization(result.chart, m_problem.shapes,
                                                        *m_context.parameters.linear_solvers, options)(result.map.uv);

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_regluing.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Cut_refiner.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Length_at_bound.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Objective.h>
 
 #include <algorithm>
 #include <limits>
@@ -87,7 +87,7 @@ private:
     if(newton.outcome == Newton_outcome::FAILED)
       return infinity;
     other.map.energy = newton.energy;
-    const Length_at_bound length(goal);
+    const Objective length(goal, 0);
     if(length(refiner.cut().cost(), newton.energy) < length(cut_cost(m_problem.constraints, cut.cut), cut.map.energy))
     {
       other.cut = refiner.cut().cut();
@@ -106,14 +106,13 @@ private:
   {
     constexpr int enough_solves = 20;
     const double gap = (std::max)(0., energy - refiner.cut().energy());
-    Refinement_limits limits;
-    limits.number_of_solves = (std::min)(enough_solves, enough_solves_of_whole());
-    if(gap >= goal - ideal || limits.number_of_solves == 0)
+    const int solves = (std::min)(enough_solves, enough_solves_of_whole());
+    if(gap >= goal - ideal || solves == 0)
       return false;
-    limits.energy = (std::max)(goal - gap, (goal + ideal) / 2);
-    if(!refiner.reduce_distortion_to(limits.energy, 0, enough_solves_of_whole()))
+    const Objective objective((std::max)(goal - gap, (goal + ideal) / 2), 0);
+    if(!refiner.open_slits(objective, enough_solves_of_whole()))
       return false;
-    refiner.shorten(limits);
+    refiner.shorten({objective}, solves);
     return true;
   }
 

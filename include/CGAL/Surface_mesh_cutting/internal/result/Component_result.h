@@ -31,7 +31,7 @@ struct Component_result
   Indexed_status status;
   bool has_cut = false, has_map = false; // a stopped run may have both
   int number_of_candidates = 0, number_of_auxiliary_points = 0;
-  std::vector<int> detected_features, features; // before and after refinement
+  std::vector<int> features; // after refinement
   Cut cut;
   double length = 0, cost = 0, lower_bound = 0;
   double cost_of_room = 0; // the part of the cost without which the map would miss a bound, or overlap

@@ -146,7 +146,7 @@ public:
   {
     constexpr double step = 0.1; // of the length of the cut
     Working_cut cut(m_problem, m_context);
-    End_search search(m_problem, m_context.parameters, false, cut);
+    End_search search(m_problem, m_context.parameters, Objective(m_context.parameters), false, cut);
     if(!search.can_move() || !cut.start_injectively(injective_cut(result)))
       return false;
     search.reroute();

@@ -177,8 +177,8 @@ private:
     const bool many_handles = has_many_handles(component.topology, terminals.size(), parameters);
     if(many_handles)
       parameters.connection.maximum_number_of_terminals = Cutting_parameters::many_terminals;
-    if(!weights_are_lengths(component.mesh, constraints))
-      parameters.adapt_to_weights();
+    parameters.has_weights = !weights_are_lengths(component.mesh, constraints);
+    parameters.adapt_to_size(component.mesh.number_of_faces());
     const Indexed_mesh& mesh = component.mesh;
     Problem problem{mesh,
                     Surface_mesh_parameterization::internal::rest_shapes(mesh.triangles(), mesh.points(), m_context.execution),

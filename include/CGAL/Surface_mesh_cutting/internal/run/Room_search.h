@@ -14,10 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/internal/refinement/refine.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Cut_refiner.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Cut_parameterizer.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/rank_of_result.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,15 +39,15 @@ class Room_search
   static constexpr double little = 0.02, much = 0.1;      // of the cost
 
 public:
-  // The references are kept. `moves_ends`: whether the ends of cuts that have room are moved, if the effort says so.
+  // The references are kept. `moves_ends`: whether the ends of cuts that have room are moved.
   Room_search(const Problem& problem, const Context& context, const Cut_parameterizer& parameterizer,
               bool moves_ends)
     : m_problem(problem), m_context(context), m_parameters(context.parameters), m_parameterizer(parameterizer),
-      m_bound(m_parameters.maximum_average_distortion), m_moves_ends(moves_ends && m_parameters.moves_ends)
+      m_bound(m_parameters.maximum_average_distortion), m_objective(m_parameters), m_moves_ends(moves_ends)
   {}
 
   // `result`: the map without overlaps of the refiner's cut.
-  void operator()(const Cut_refiner& refiner, double repair_threshold, Component_result& result) const
+  void operator()(const Cut_refiner& refiner, Component_result& result) const
   {
     if(!m_parameters.has_bound() || !m_parameters.do_bijective || !(result.energy > m_bound) || // nor if it is not a number
        !m_context.control.go_further())
@@ -60,7 +59,7 @@ public:
     if(with_slits && keeps_bound(*with_slits) && with_slits->cost <= (1 + little) * cost_with_overlaps)
       take_better(std::move(*with_slits), result);
     else
-      make_room(refiner, repair_threshold, std::move(given), std::move(with_slits), result);
+      make_room(refiner, std::move(given), std::move(with_slits), result);
     result.cost_of_room = result.cost - cost_with_overlaps;
   }
 
@@ -84,7 +83,7 @@ private:
   }
 
   // `with_slits`: the given cut with slits, if they were tried.
-  void make_room(const Cut_refiner& refiner, double repair_threshold, Crowded given, std::optional<Component_result> with_slits,
+  void make_room(const Cut_refiner& refiner, Crowded given, std::optional<Component_result> with_slits,
                  Component_result& result) const
   {
     std::vector<Crowded> crowded;
@@ -96,7 +95,7 @@ private:
     const bool is_rearranged = crowded.size() > 1;
     if(with_slits)
       take_better(std::move(*with_slits), result); // whether they were tried is still known
-    if(is_rearranged || (m_parameters.opens_slits_first && !with_slits))
+    if(is_rearranged || (m_parameters.opens_slits_first() && !with_slits))
       open_slits(crowded.back(), result);
     m_context.control.report(Phase::PARAMETERIZE, share_before_longer_cuts);
     if(!costs_more_than(enough_cost))
@@ -104,11 +103,11 @@ private:
     const bool needs_seams = !keeps_bound(result); // so that it is known what longer cuts must not cost
     if(needs_seams)
       divide(crowded, result);
-    Component_result longer = lengthened(refiner, repair_threshold, crowded, keeps_bound(result) ? result.cost : infinity);
+    Component_result longer = lengthened(refiner, crowded, keeps_bound(result) ? result.cost : infinity);
     take_better(longer, result);
     if(!needs_seams && costs_more_than(high_cost))
       divide(crowded, result);
-    if(is_rearranged && m_parameters.opens_slits_first && !with_slits && costs_more_than(high_cost))
+    if(is_rearranged && m_parameters.opens_slits_first() && !with_slits && costs_more_than(high_cost))
       open_slits(crowded[0], result);
     if(keeps_bound(result))
       return;
@@ -122,7 +121,8 @@ private:
 
   void take_better(Component_result other, Component_result& result) const
   {
-    if(rank_of_result(other, m_parameters) < rank_of_result(result, m_parameters))
+    const auto rank = [this](const Component_result& r) { return m_objective.rank(r.cost, r.has_map ? r.energy : infinity); };
+    if(rank(other) < rank(result))
       std::swap(other, result);
     result.add(other.trade_offs);
   }
@@ -144,7 +144,7 @@ private:
   {
     Component_result relieved = crowded.result;
     relieve(crowded.overlapping, relieved);
-    if(keeps_bound(relieved) && m_parameters.opens_slits_first)
+    if(keeps_bound(relieved) && m_parameters.opens_slits_first())
       shorten(relieved);
     if(keeps_bound(relieved))
       take_better(std::move(relieved), result);
@@ -177,7 +177,7 @@ private:
   // overlaps, between what failed and what did not. At first that is lowered by half of what is missing: a longer cut lowers
   // the energy of the map without overlaps, too. Cuts that cost as much as `limit` are not mapped. If none keeps the bound, the
   // one nearest to it.
-  Component_result lengthened(const Cut_refiner& start, double repair_threshold, const std::vector<Crowded>& crowded,
+  Component_result lengthened(const Cut_refiner& start, const std::vector<Crowded>& crowded,
                               double limit) const
   {
     constexpr int maximum_number_of_rounds = 6, solves = 10;
@@ -200,7 +200,7 @@ private:
       if(number_of_solved_faces > (kept == ideal ? maximum_number_of_solved_faces : enough_solved_faces))
         break;
       Cut_refiner refiner = start;
-      lower(refiner, {target, repair_threshold, solves});
+      lower(refiner, {Objective(target, 0), solves});
       const std::vector<Trade_off>& all = refiner.cut().trade_offs();
       number_of_solved_faces += double(all.size() - seen_before) * m_problem.mesh.number_of_faces();
       best.add({all.begin() + seen_before, all.end()});
@@ -218,7 +218,7 @@ private:
       (energy <= m_bound ? kept : failed) = target;
       target = kept > ideal ? (kept + failed) / 2 : lowered(target, energy - m_bound);
     }
-    if(keeps_bound(best) && m_parameters.opens_slits_first)
+    if(keeps_bound(best) && m_parameters.opens_slits_first())
       shorten(best);
     return best;
   }
@@ -226,7 +226,7 @@ private:
   void lower(Cut_refiner& refiner, const Refinement_goal& goal) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
-    refine(refiner, goal, m_parameters);
+    refiner.refine(goal);
   }
 
   // Returns the energy before slits: they are for what little is missing then.
@@ -249,6 +249,7 @@ private:
   const Cutting_parameters& m_parameters;
   const Cut_parameterizer& m_parameterizer;
   const double m_bound;
+  const Objective m_objective;
   const bool m_moves_ends;
 };
 

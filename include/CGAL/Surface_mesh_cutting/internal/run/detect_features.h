@@ -15,34 +15,68 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_disk.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/Coarse_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/Feature_detector.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/Local_filter.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/Cut_search.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/features_of_start.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
-
-#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
+#include <CGAL/Surface_mesh_cutting/internal/detection/coarse_constraints.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/open_handles.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
+
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+// Asks for no more than a coarse map resolves: it misses part of what a slit gains around its end. With this factor, the
+// energy at full resolution is as low as that of features found there.
+inline Cutting_parameters parameters_on_coarse_mesh(Cutting_parameters parameters)
+{
+  constexpr double resolved_gain = 0.85;
+  parameters.minimum_distortion_decrease *= resolved_gain;
+  parameters.decrease_per_cost *= resolved_gain;
+  return parameters;
+}
 
-// The features of a surface without handles (paper, Section 3.1), from the given start.
-// On a surface that is opened to a disk, on a coarser version of that disk.
+// The features on the surface itself that are reachable there, and its terminals.
+inline std::vector<int> lifted(const Problem& fine, const Coarse_mesh& coarse, const std::vector<int>& features)
+{
+  const std::vector<char> is_reachable = reachable_vertices(fine.mesh, fine.constraints);
+  std::vector<int> result = fine.terminals;
+  for(int v : features)
+    if(is_reachable[coarse.vertices[v]])
+      result.push_back(coarse.vertices[v]);
+  CGAL::internal::Graph_kernel::sort_unique(result);
+  return result;
+}
+
+inline Coarse_mesh coarser_version(const Problem& fine, int number_of_faces, const Context& context)
+{
+  const Phase_clock::Measurement measurement(context.clock, Phase::CANDIDATES);
+  return Coarse_mesh(fine.mesh, number_of_faces / 2, fine.terminals, context.parameters.linear_solvers->execution);
+}
+
+// The same problem on a coarser version, without what cuts handles.
+inline Problem coarse_problem(const Problem& fine, const Coarse_mesh& coarse)
+{
+  const std::vector<int> terminals = coarse.find(fine.terminals);
+  return {coarse.mesh, coarse.shapes(), coarse_constraints(fine.mesh, fine.constraints, coarse, terminals),
+          terminals, Initial_cut(), fine.is_sphere};
+}
+
+// The features of a surface that is opened to a disk, found on a coarser version of that disk.
 inline Detected_features detect_features_of_disk(const Problem& fine, const Context& context)
 {
-  constexpr int faces_per_handle = 100; // of the coarser version: as many as show what its part of the surface looks like
+  constexpr int faces = 5000, faces_per_handle = 100; // of the coarser version: enough to show its part of the surface
   const Phase_clock::Measurement measurement(context.clock, Phase::FILTER);
   const int handles = 1 - Corner_table(fine.mesh.triangles(), fine.mesh.opposites(),
                                        fine.mesh.number_of_vertices()).euler_characteristic() / 2;
-  const int number_of_faces = (std::max)(context.parameters.coarse_number_of_faces, faces_per_handle * handles);
+  const int number_of_faces
+    = (std::max)(context.parameters.given_coarse_number_of_faces.value_or(faces), faces_per_handle * handles);
   const Coarse_disk coarse(fine, make_chart(fine.mesh, fine.constraints.mandatory), number_of_faces, context);
   const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
   Local_filter filter(coarse.problem(), Context{parameters, context.control, context.clock, context.execution});
@@ -56,118 +90,37 @@ inline Detected_features detect_features_of_disk(const Problem& fine, const Cont
   return detected;
 }
 
-// A third of the work, which tells whether the rest can pay.
-inline Cutting_parameters without_moved_ends(Cutting_parameters parameters)
+// The features of a coarser version. Its trade-offs tell too little about the surface.
+inline Detected_features detect_coarse_features(const Problem& fine, int number_of_faces, const Context& context)
 {
-  Refinement_goal goal{};
-  goal.number_of_solves = parameters.number_of_shortening_solves;
-  parameters.number_of_shortening_solves = goal.share_of_solves();
-  parameters.moves_ends = false;
-  return parameters;
+  const Coarse_mesh coarse = coarser_version(fine, number_of_faces, context);
+  Problem problem = coarse_problem(fine, coarse);
+  Detected_features detected;
+  if(!problem.is_sphere)
+    detected.status = cut_handles_of(problem, context);
+  if(!detected.status)
+    return detected;
+  const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
+  detected = Feature_detector(problem, Context{parameters, context.control, context.clock, context.execution}).run();
+  detected.features = lifted(fine, coarse, detected.features);
+  detected.chart = Open_chart();
+  detected.trade_offs.clear();
+  return detected;
 }
 
-// With a bound, one start in about ten leads to a cut far longer than those of others. Starts on a still coarser version
-// are so unlike the first that hardly ever all do, and take little time. On request, all are those of the first seeds,
-// whatever the given one is; if that is none of these, its start comes last.
-inline std::vector<Cutting_parameters> parameters_of_starts(const Cutting_parameters& given)
-{
-  constexpr double relative_size = 0.5; // of the still coarser version, in faces
-  Cutting_parameters still_coarser = given;
-  still_coarser.coarse_number_of_faces = int(relative_size * given.coarse_number_of_faces);
-  if(!given.adds_start)
-    return {given, still_coarser};
-  std::vector<Cutting_parameters> starts(1, given);
-  starts.front().random_seed = 0;
-  for(unsigned int seed = 0; seed < number_of_first_seeds; ++seed)
-  {
-    starts.push_back(still_coarser);
-    starts.back().random_seed = seed;
-  }
-  if(given.random_seed >= number_of_first_seeds)
-    starts.push_back(still_coarser);
-  return starts;
-}
-
-// Whether several starts on coarser versions are compared.
-inline bool compares_starts(const Problem& problem, const Cutting_parameters& parameters)
-{
-  return parameters.moves_ends && problem.is_sphere && is_coarsened(problem, parameters) && !searches(problem, parameters);
-}
-
-// The seeds of those; runs with the same ones, and otherwise the same parameters, find the same. None if there are none.
-inline std::vector<unsigned int> seeds_of_compared_starts(const Problem& problem, const Cutting_parameters& parameters)
-{
-  std::vector<unsigned int> seeds;
-  if(compares_starts(problem, parameters))
-    for(const Cutting_parameters& start : parameters_of_starts(parameters))
-      seeds.push_back(start.random_seed);
-  return seeds;
-}
-
-// Cuts of a still coarser version are longer: the most promising one takes the place of the first only where that is bad,
-// and its ends move only where it is shorter than the first before these have moved. That of the given seed is preferred
-// only if it is clearly better: so few runs depend on it.
-inline Detected_features cheapest_features_of_starts(const Problem& problem, int first_start, const Context& context)
-{
-  constexpr double clearly = 0.98; // times the cost; less may be due to the coarser version
-  const std::vector<Cutting_parameters> starts = parameters_of_starts(context.parameters);
-  std::vector<Detected_features> found(starts.size());
-  const Coarse_mesh still_coarser
-    = coarser_version(problem, Context{starts.back(), context.control, context.clock, context.execution});
-  const auto found_with = [&](const Cutting_parameters& parameters, Run_control& control)
-  {
-    return rough_features(problem, still_coarser, first_start + 1,
-                                          Context{parameters, control, context.clock, context.execution});
-  };
-  execute(context.execution, int(starts.size()), [&](int i)
-  {
-    Run_control control(context.control, Run_control::share_of_detection() / double(starts.size()));
-    found[i] = i > 0 ? found_with(without_moved_ends(starts[i]), control)
-                     : coarse_features(problem, first_start, Context{starts[i], control, context.clock, context.execution});
-  });
-  const auto rank = [&](std::size_t i)
-  {
-    const bool is_of_first_seeds = i <= number_of_first_seeds;
-    return std::make_pair(context.parameters.excess(found[i].energy), found[i].cost / (is_of_first_seeds ? 1 : clearly));
-  };
-  std::size_t promising = 0;
-  for(std::size_t i = 1; i < found.size(); ++i)
-    if(found[i].status && found[i].cost < found[0].prepared_cost && (promising == 0 || rank(i) < rank(promising)))
-      promising = i;
-  if(promising == 0)
-    return std::move(found[0]);
-  found[promising] = found_with(starts[promising], context.control);
-  const bool is_better = found[0].status && found[promising].status && rank(promising) < rank(0);
-  return std::move(found[is_better ? promising : 0]);
-}
-
-// The features that the parameters ask for, found on coarser versions.
-inline Detected_features detect_coarse_features(const Problem& problem, int start, const Context& context)
-{
-  if(searches(problem, context.parameters))
-    return find_on_coarse_mesh(problem, coarser_version(problem, context), context,
-                               [start](const Problem& coarse, const Context& c)
-                               { return Cut_search(coarse, c, true).run(start); });
-  if(compares_starts(problem, context.parameters))
-    return cheapest_features_of_starts(problem, start, context);
-  return coarse_features(problem, start, context);
-}
-
-// From one start, or from as many as the parameters say.
-inline Detected_features detect_features(const Problem& problem, int start, const Context& context)
+// The features of a surface (paper, Section 3.1), on a version of at most about `number_of_faces` (0: on the surface itself).
+inline Detected_features detect_features(const Problem& problem, int number_of_faces, const Context& context)
 {
   if(problem.is_opened)
     return detect_features_of_disk(problem, context);
-  if(is_coarsened(problem, context.parameters))
+  if(number_of_faces > 0 && !problem.initial.is_given() && number_of_faces < problem.mesh.number_of_faces())
   {
-    Detected_features detected = detect_coarse_features(problem, start, context);
+    Detected_features detected = detect_coarse_features(problem, number_of_faces, context);
     const std::size_t enough = problem.is_sphere ? 2 : 0; // a tree of one point opens nothing
     if(!detected.status || detected.features.size() >= enough)
       return detected;
   }
-  else if(searches(problem, context.parameters))
-    return Cut_search(problem, context, false).run(start);
-  return Feature_detector(problem, context).run(start);
+  return Feature_detector(problem, context).run();
 }
 
 } // namespace internal

@@ -20,7 +20,6 @@
 #include <CGAL/Surface_mesh_cutting/Connection.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
-#include <CGAL/Surface_mesh_cutting/internal/run/set_effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
@@ -79,10 +78,8 @@ Cutting_parameters read_cutting_parameters(const NamedParameters& np)
   if(p.needs_optimal_tree)
     p.number_of_states_while_refining = p.connection.maximum_number_of_states;
   read(get_parameter(np, internal_np::coarse_number_of_faces), p.given_coarse_number_of_faces);
-  p.coarse_number_of_faces = p.given_coarse_number_of_faces.value_or(0);
-  if(!p.use_published_method)
-    set_effort(choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT), p);
-  else
+  read(get_parameter(np, internal_np::effort), p.effort);
+  if(p.use_published_method)
     p.decrease_per_cost = 0;
   read(get_parameter(np, internal_np::minimum_decrease_per_length), p.decrease_per_cost);
   return p;
@@ -102,7 +99,7 @@ inline Indexed_status check_parameters(const Cutting_parameters& p)
     return refuse("maximum_average_distortion", "greater than 4, the energy of an isometric map");
   if(!is_non_negative(p.decrease_per_cost))
     return refuse("minimum_decrease_per_length", "finite and not negative");
-  if(p.coarse_number_of_faces < 0)
+  if(p.given_coarse_number_of_faces.value_or(0) < 0)
     return refuse("coarse_number_of_faces", "not negative");
   if(!(p.minimum_area_ratio >= 0 && p.minimum_area_ratio <= 1))
     return refuse("minimum_area_ratio", "between 0 and 1");

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Surface_mesh_cutting authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Surface_mesh_cutting authors
+
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_PLAN_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_PLAN_H
+
+#include <CGAL/license/Surface_mesh_cutting.h>
+
+#include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+
+#include <algorithm>
+
+
+namespace CGAL {
+namespace Surface_mesh_cutting {
+namespace internal {
+
+// What a run does, decided once from the parameters and the size of the surface. Solves are of the whole surface on which
+// the cut is searched for.
+struct Run_plan
+{
+  int number_of_faces = 0;       // of the coarser version on which a cut is searched for; 0: the surface itself
+  int number_of_starts = 1;      // whose features are detected, connected, and mapped
+  int number_of_prepared = 1;    // the most promising of these, brought to the bound
+  int number_of_refined = 1;     // the most promising of these, refined further
+  int number_of_finalists = 1;   // of these, lifted to the surface and mapped as asked for
+  int number_of_solves = 0;      // at most, for shortening each of them
+  int rounds_of_moved_ends = 0;  // at most
+  int corrective_solves = 0;     // at most, on the surface if the search was on a coarser version
+  int corrective_rounds = 0;     // the same, of moved ends
+
+  bool is_coarsened() const { return number_of_faces > 0; }
+  bool refines() const { return number_of_solves > 0; }
+};
+
+inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, const Problem& problem)
+{
+  constexpr double least_ratio = 1.25; // a mesh only little larger than the target would not become much simpler
+  const int all_faces = problem.mesh.number_of_faces();
+  const bool has_bound = parameters.has_bound(), is_given = problem.initial.is_given();
+  Run_plan plan;
+  const int target = parameters.given_coarse_number_of_faces.value_or(parameters.use_published_method ? 0 : 5000);
+  if(target > 0 && !is_given && !problem.is_opened && all_faces > least_ratio * target)
+    plan.number_of_faces = target;
+  if(parameters.use_published_method)
+    return plan;
+  const int faces = plan.is_coarsened() ? plan.number_of_faces : all_faces;
+  const auto affordable = [faces](int most, int work) { return (std::max)(1, (std::min)(most, work / faces)); };
+  switch(effort)
+  {
+  case Effort::FAST:
+    plan.number_of_solves = has_bound ? 20 : affordable(24, 20000);
+    break;
+  case Effort::DEFAULT:
+    plan.number_of_starts = affordable(8, 25000);
+    plan.number_of_prepared = affordable(6, 15000);
+    plan.number_of_refined = affordable(3, 10000);
+    plan.number_of_finalists = parameters.do_bijective && has_bound ? 2 : 1;
+    plan.number_of_solves = has_bound ? affordable(60, 300000) : affordable(60, 100000);
+    plan.rounds_of_moved_ends = has_bound ? 3 : 2;
+    plan.corrective_rounds = has_bound ? 1 : 0;
+    break;
+  case Effort::BEST:
+    plan.number_of_starts = 24;
+    plan.number_of_prepared = 12;
+    plan.number_of_refined = 6;
+    plan.number_of_finalists = parameters.do_bijective && has_bound ? 4 : 1;
+    plan.number_of_solves = has_bound ? 200 : 100;
+    plan.rounds_of_moved_ends = 3;
+    plan.corrective_rounds = 1;
+    break;
+  }
+  if(is_given || problem.is_opened)
+    plan.number_of_starts = plan.number_of_prepared = plan.number_of_refined = plan.number_of_finalists = 1;
+  if(problem.is_opened || problem.has_many_handles) // too many ends
+    plan.rounds_of_moved_ends = plan.corrective_rounds = 0;
+  if(has_bound)
+    plan.corrective_solves = 8;
+  return plan;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_RUN_RUN_PLAN_H
