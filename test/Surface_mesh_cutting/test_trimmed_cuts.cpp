@@ -69,7 +69,7 @@ void test_trimming(CGAL::Random& random)
   const std::size_t half = surface.path.size() / 2, quarter = surface.path.size() / 4;
   const double bound = (surface.energy_without_either(half) + surface.energy_without_either(quarter)) / 2;
   Injective_cut trimmed = given;
-  Injective_trimmer(surface.problem, surface.context()).trim(bound, trimmed);
+  Injective_trimmer(surface.problem, surface.context()).trim(Objective(bound, 0), trimmed);
   check(cut_length(surface.mesh, trimmed.cut) < cut_length(surface.mesh, given.cut), "nothing was closed");
   check(trimmed.map.energy <= bound, "the bound");
   for(int e = 0; e < surface.mesh.number_of_edges(); ++e)
@@ -81,7 +81,7 @@ void test_trimming(CGAL::Random& random)
 
   // At its own energy, nothing can go.
   Injective_cut kept = given;
-  Injective_trimmer(surface.problem, surface.context()).trim(given.map.energy, kept);
+  Injective_trimmer(surface.problem, surface.context()).trim(Objective(given.map.energy, 0), kept);
   check(kept.cut == given.cut && kept.map.energy == given.map.energy, "closed above the bound");
 }
 

@@ -86,7 +86,7 @@ void add_method_options(CLI::App& app, Options& options)
   const std::string group = "Method";
   constexpr double largest = 1e9, ideal = 4;
   add_choice(app, "--effort", options.effort,
-             "How hard to look for a short cut: fast does not shorten\nit without a bound, default tries a few starts, best\nmany more and combinations of them",
+             "How hard to look for a short cut: fast improves\none start a little, default tries a few starts,\nbest many",
              {"fast", "default", "best"})->group(group);
   app.add_flag("--allow-overlap", options.may_overlap,
                "Parts of the layout may overlap (implied by --faithful):\nfaster, and a little less distortion")

@@ -22,12 +22,9 @@ namespace Surface_mesh_cutting {
 /// how much work to spend on a short cut, and on a packing that fills the square; the value of the named parameter `effort`.
 enum class Effort
 {
-  FAST,    ///< feature detection and connection only, unless a bound or an initial cut requires more, or the connected
-           ///< cut is twice as distorted as that of the detection
-  DEFAULT, ///< a small search: a few starts, the best of which is shortened; without a bound, at about the same
-           ///< distortion
-  BEST     ///< a large search: more starts, also combined with each other, and all that the smaller efforts find from
-           ///< several seeds; the best result wins
+  FAST,    ///< one start, whose cut is improved a little
+  DEFAULT, ///< a few starts, the best of which are improved further
+  BEST     ///< many starts, and what the smaller efforts find; the best result wins
 };
 
 } // namespace Surface_mesh_cutting

@@ -80,8 +80,8 @@ struct Cutting_parameters
 
   bool has_bound() const { return maximum_average_distortion < std::numeric_limits<double>::infinity(); }
 
-  // Where a map without overlaps misses a bound, before the running map goes below.
-  bool opens_slits_first() const { return has_bound() && effort != Effort::FAST; }
+  // Whether more remedies are tried where a map without overlaps has too little room.
+  bool widens_search() const { return effort != Effort::FAST && !use_published_method; }
 
   // Whether maps without overlaps take no factorization that gains little.
   bool ends_early_in_room() const { return !has_bound() && effort == Effort::FAST && !use_published_method; }

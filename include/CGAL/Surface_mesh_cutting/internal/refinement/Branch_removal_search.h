@@ -101,24 +101,6 @@ public:
                        { return !is_kept[branch.vertices.front()] && number_of_free_edges(branch) > 0; });
   }
 
-  // The whole branch that costs most, of those without mandatory edges and with another tip than at `is_kept`, where
-  // branches end in any case.
-  Branch_removal most_expensive(const Cut& cut, const std::vector<char>& is_kept) const
-  {
-    const std::size_t open_edges = number_of_open_edges(cut);
-    Branch_removal best;
-    for(const Leaf_branch& branch : leaf_branches(m_mesh, cut, is_kept))
-    {
-      const std::size_t size = branch.edges.size();
-      if(is_kept[branch.vertices.front()] || number_of_free_edges(branch) < size || open_edges < size + 2)
-        continue;
-      Branch_removal removal = outer_part(branch, size);
-      if(removal.cost > best.cost)
-        best = std::move(removal);
-    }
-    return best;
-  }
-
   // The most expensive of the outer parts of branches that cost at most `limit`, or are an edge, or a whole branch that
   // costs little more; of those that end at a vertex with `is_excluded`, none.
   Branch_removal most_expensive_part(const Cut& cut, const std::vector<int>& features,

@@ -191,34 +191,22 @@ private:
   // and costs no more than before; without a bound, its sum is no larger.
   void move_ends(const Refinement_goal& goal)
   {
-    constexpr double steps[] = {0.15, 0.05, 0.1}; // of the length of the cut
-    constexpr double tolerance = 0.01;            // of the energy, between two rounds
-    constexpr int patience = 2;                   // rounds without a gain
+    constexpr double steps[] = {0.15, 0.05}; // of the length of the cut
+    constexpr double tolerance = 0.01;       // of the energy, between two rounds
     const Objective& objective = goal.objective;
     const auto rank = [&](const auto& cut) { return objective.rank(cut.cost, cut.energy()); };
     Mapped_cut best = m_cut.state();
     End_search search(m_problem, m_parameters, objective, goal.keeps_tree, m_cut);
-    search.drop_inner_features();
-    int number_of_failures = 0, number_of_rounds = 0;
-    for(double step : steps)
+    for(int round = 0; round < goal.rounds_of_moved_ends; ++round)
     {
-      if(number_of_failures == patience || number_of_rounds++ == goal.rounds_of_moved_ends)
-        break;
-      search.move_ends(step);
+      search.move_ends(steps[round % 2]);
       const bool is_far = m_cut.energy() > objective.bound() + tolerance;
       if(is_far)
         open_slits(objective);
-      ++number_of_failures;
       if(search.best() && rank(*search.best()) < rank(best))
-      {
         best = *search.best();
-        number_of_failures = 0;
-      }
       if(rank(m_cut.state()) < rank(best))
-      {
         best = m_cut.state();
-        number_of_failures = 0;
-      }
       else if(is_far)
         m_cut.restore(best);
     }

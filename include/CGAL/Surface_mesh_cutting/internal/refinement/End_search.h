@@ -74,26 +74,6 @@ public:
     }
   }
 
-  // Drops the features between ends that the cut does better without.
-  void drop_inner_features()
-  {
-    constexpr double least_decrease = 0.998; // of the cost, for a tree to be mapped
-    for(int v : inner_features())
-    {
-      if(!m_cut.goes_on())
-        return;
-      m_objective.compare_with(m_cut.energy());
-      Mapped_cut former = m_cut.state();
-      m_cut.drop_feature(v);
-      m_cut.connect(m_parameters.connection_while_refining());
-      if(m_cut.tree().status && m_cut.cost() <= least_decrease * former.cost && m_cut.map_tree(infinity) &&
-         is_better_than(former))
-        keep_best();
-      else
-        m_cut.restore(std::move(former));
-    }
-  }
-
   // Leads the cut where the map is distorted, as far as it does better so. It need not remain a tree of least cost.
   void reroute()
   {
@@ -135,19 +115,6 @@ private:
     return (std::min)(enough_ends, enough_faces / m_mesh.number_of_faces());
   }
 
-  // That are no terminals, up to a limit: each takes another tree.
-  std::vector<int> inner_features() const
-  {
-    const std::size_t maximum_number_of_trees = maximum_number_of_ends() / 2;
-    const std::vector<int> degrees = cut_degrees(m_mesh, m_cut.cut());
-    const std::vector<char> is_terminal = m_problem.terminal_marks();
-    std::vector<int> inner;
-    for(int v : m_cut.features())
-      if(degrees[v] > 1 && !is_terminal[v] && inner.size() < maximum_number_of_trees)
-        inner.push_back(v);
-    return inner;
-  }
-
   // Of the map that counts, if the running map leaves a chance: its energy is known, and no higher.
   bool is_better_than(const Mapped_cut& former) const
   {
@@ -185,6 +152,9 @@ private:
                                                  reach * total_length(m_mesh, part.edges));
     for(Slit& far : m_slits.proposals(m_cut.cut(), m_cut.map().vertex_distortion(), is_excluded, number_of_far_ends))
       slits.push_back(std::move(far));
+    if(m_parameters.has_weights)
+      for(Slit& cheap : m_slits.cheap_ends_about(m_cut.cut(), part.tip, total_length(m_mesh, part.edges)))
+        slits.push_back(std::move(cheap));
     slits.push_back({part.tip, part.edges});
     estimate_gains(m_cut.map(), slits);
     const double factor = gain_over_estimate(slits.back().gain, former_energy);

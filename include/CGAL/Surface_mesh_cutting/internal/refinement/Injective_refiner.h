@@ -61,9 +61,10 @@ public:
 
   // Until the energy is at most `goal`; false if no slit is found that helps, or if it takes too long. Several slits that
   // gain more for their cost than one that is enough may cost more together.
-  bool lower_to(double goal, Injective_cut& cut)
+  bool lower_to(double goal, Injective_cut& cut, double least_gain_per_cost = 0)
   {
     m_enough.reset();
+    m_least_gain_per_cost = least_gain_per_cost;
     while(cut.map.energy > goal && costs_less_than_enough(cost(cut)) && has_time() && open_best(goal, cut))
       continue;
     if(m_enough && (cut.map.energy > goal || !costs_less_than_enough(cost(cut))))
@@ -134,7 +135,7 @@ private:
     constexpr double share = 0.8;      // of that sum
     constexpr double least_gain = 0.5; // per cost, relative to the best: with others opened, better ones are found
     const double least_gain_per_cost
-      = m_context.parameters.opens_slits_first() ? least_gain * trials.front().slit.gain_per_cost() : 0;
+      = m_context.parameters.widens_search() ? least_gain * trials.front().slit.gain_per_cost() : 0;
     std::vector<int> edges, ends = cut.ends;
     double gain = 0;
     for(const Trial& t : trials)
@@ -167,10 +168,10 @@ private:
       ends.push_back(slit.tip);
       Injective_cut trial = opened(cut, slit.edges, std::move(ends), goal);
       slit.gain = cut.map.energy - (std::max)(trial.map.energy, goal);
-      const bool is_enough = trial.map.energy <= goal;
+      const bool pays = slit.gain > m_least_gain_per_cost * slit.cost, is_enough = pays && trial.map.energy <= goal;
       if(is_enough)
         m_enough = trial;
-      if(is_enough || slit.gain > least_gain)
+      if(is_enough || (pays && slit.gain > least_gain))
         trials.push_back({std::move(slit), std::move(trial)});
       else
         m_is_excluded[slit.tip] = 1;
@@ -192,7 +193,7 @@ private:
       excess[v] += Symmetric_Dirichlet_energy::ideal - m_reference[v];
     std::vector<Slit> slits = m_slits.proposals(cut.cut, excess, m_is_excluded, number_of_each);
     add(m_slits.proposals(cut.cut, distortion, m_is_excluded, number_of_each), slits);
-    if(m_context.parameters.opens_slits_first())
+    if(m_context.parameters.widens_search())
       add(best_by_windows(goal, cut, distortion), slits);
     CGAL::internal::Graph_kernel::sort_by_key(slits, [](const Slit& slit) { return slit.cost; });
     return slits;
@@ -278,6 +279,7 @@ private:
   Slit_search m_slits;
   const std::vector<double> m_reference; // per vertex of the surface
   std::vector<char> m_is_excluded;       // per vertex of the surface
+  double m_least_gain_per_cost = 0;
   double m_number_of_solved_faces = 0;
   std::optional<Injective_cut> m_enough; // the cheapest that was found to reach the goal
 };

@@ -87,8 +87,8 @@ private:
     if(newton.outcome == Newton_outcome::FAILED)
       return infinity;
     other.map.energy = newton.energy;
-    const Objective length(goal, 0);
-    if(length(refiner.cut().cost(), newton.energy) < length(cut_cost(m_problem.constraints, cut.cut), cut.map.energy))
+    const Objective given(m_context.parameters), objective = given.has_bound() ? Objective(goal, 0) : given;
+    if(objective(refiner.cut().cost(), newton.energy) < objective(cut_cost(m_problem.constraints, cut.cut), cut.map.energy))
     {
       other.cut = refiner.cut().cut();
       other.chart = running.chart;

@@ -44,10 +44,10 @@ public:
   {}
 
   // The cut keeps the bound before and afterwards.
-  void trim(double bound, Injective_cut& cut)
+  void trim(const Objective& objective, Injective_cut& cut)
   {
     const double least = m_context.parameters.least_removal();
-    const auto allowed_energy = [&](double cost) { return cost < least ? 0 : bound - cut.map.energy; };
+    const auto allowed_energy = [&](double cost) { return cost < least ? 0 : objective.largest_energy(cut.map.energy, cost) - cut.map.energy; };
     int parts_left = maximum_number_of_parts();
     if(parts_left == 0 || !m_map.initialize(cut.cut))
       return;
@@ -57,6 +57,7 @@ public:
       if(part.tip < 0)
         return;
       Open_chart former = m_map.state();
+      const double bound = objective.largest_energy(cut.map.energy, part.cost);
       Injective_cut shorter = closed(part, bound, cut);
       m_parts.remember(part, shorter.map.energy - cut.map.energy);
       if(shorter.map.energy <= bound)

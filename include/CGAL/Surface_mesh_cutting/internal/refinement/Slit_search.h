@@ -88,27 +88,15 @@ public:
     return is_off_cut(v) ? slit_from(v) : Slit();
   }
 
-  // The slit that gains most beyond its cost, of those to `tip` or to cheaper vertices within `reach` of it. The tip
-  // is -1 if none gains more than it costs.
-  Slit best_end(Incremental_parameterization& map, int tip, double reach, double energy_per_cost)
+  // Slits to vertices that are cheaper to reach than `tip`, within `reach` of it. Their gains are not known yet.
+  std::vector<Slit> cheap_ends_about(const Cut& cut, int tip, double reach)
   {
-    measure_distances(map.cut());
+    measure_distances(cut);
     std::vector<Slit> slits;
     for(int end : ends_around(tip, reach))
-      slits.push_back(slit_from(end));
-    estimate_gains(map, slits);
-    Slit best;
-    double best_value = 0;
-    for(Slit& slit : slits)
-    {
-      const double value = slit.gain - energy_per_cost * slit.cost;
-      if(value > best_value)
-      {
-        best_value = value;
-        best = std::move(slit);
-      }
-    }
-    return best;
+      if(end != tip)
+        slits.push_back(slit_from(end));
+    return slits;
   }
 
   // Slits to ends all about the tip of a part of the cut that is closed: on the part itself and within `reach` of its

@@ -34,7 +34,7 @@ struct Component_result
   std::vector<int> features; // after refinement
   Cut cut;
   double length = 0, cost = 0, lower_bound = 0;
-  double cost_of_room = 0; // the part of the cost without which the map would miss a bound, or overlap
+  double loss_for_room = 0; // of the objective, relative: so much better the map could be if it might overlap
   bool is_optimal = false;
   bool is_tree_proven = false; // shortest through its points: the tree that the cut, if refined, was made from
   Corner_table chart;

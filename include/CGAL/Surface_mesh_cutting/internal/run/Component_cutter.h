@@ -135,13 +135,13 @@ private:
     std::vector<Runner> runners = race.run();
     if(!runners.front().refiner)
       return {Finisher::result_without_cut(runners.front().detected)};
-    std::vector<Component_result> results((std::min)(plan.number_of_finalists, int(runners.size())));
+    std::vector<Component_result> results(1);
     Surface_mesh_parameterization::internal::execute(m_context.execution, int(results.size()), [&](int i)
     {
       if(i == 0 || context.control.go_further())
         results[i] = finish(runners[i]);
     });
-    const int last = (std::min)(plan.number_of_prepared, int(runners.size()));
+    const int last = (std::min)(plan.number_of_finalists, int(runners.size()));
     for(int i = int(results.size()); i < last && goes_on_after(results) && context.control.go_further(); ++i)
     {
       race.complete(runners[i]);
@@ -152,9 +152,9 @@ private:
 
   bool goes_on_after(const std::vector<Component_result>& results) const
   {
-    constexpr double much = 0.1; // of the cost, for room
+    constexpr double much = 0.03;
     return std::all_of(results.begin(), results.end(), [&](const Component_result& r)
-                       { return !r.has_map || !m_objective.keeps_bound(r.energy) || r.cost_of_room > much * r.cost; });
+                       { return !r.has_map || !m_objective.keeps_bound(r.energy) || r.loss_for_room > much; });
   }
 
   // A tree through the ends of a given cut and through further features may be worse than that cut.

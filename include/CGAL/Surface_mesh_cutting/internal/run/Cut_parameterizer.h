@@ -47,38 +47,16 @@ public:
   // The references are kept.
   Cut_parameterizer(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}
 
-  // Takes the running cut and maps it, without overlaps on request.
+  // Takes the running cut and maps it, without overlaps on request. A map without overlaps that becomes hopeless is given up.
   void operator()(const Working_cut& cut, Component_result& result) const
   {
     take_cut(cut, cut.chart().cut, result);
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
-    const Open_chart& running = cut.chart();
     if(!divide_at_once(cut, result))
-    {
-      const bool may_grow = m_context.parameters.do_bijective && !m_context.parameters.use_published_method &&
-                            !m_context.parameters.has_bound();
-      map(running, may_grow ? hopeless : infinity, result);
-      if(may_grow)
-      {
-        const double goal = running.energy + tolerance;
-        Component_result divided = result;
-        const std::optional<Open_chart> rearranged = reglue(running, goal, false, result);
-        if(result.energy < hopeless)
-          relieve(rearranged ? *rearranged : running, goal, result);
-        if((!result.has_map || result.energy > goal) && divide(running, goal, divided) && is_worth_it(divided, result))
-        {
-          divided.add(result.trade_offs);
-          result = std::move(divided);
-        }
-        if(!result.has_map && !m_context.control.is_stopped())
-          map(running, infinity, result);
-      }
-    }
-    if(!result.has_map || m_context.control.is_stopped())
-      result.status = failure(m_context.control);
-    else
-      result.status.finding = Finding(); // even if another cut had no map
+      map(cut.chart(), may_divide() ? hopeless : infinity, result);
   }
+
+  // Maps the running cut whatever the energy.
+  void map_in_any_case(const Open_chart& running, Component_result& result) const { map(running, infinity, result); }
 
   // What is known of `edges`, a cut made from a working one.
   void take_cut(const Working_cut& cut, const Cut& edges, Component_result& result) const
@@ -126,16 +104,16 @@ public:
     Injective_refiner refiner(m_problem, m_context, overlapping);
     if(has_coarse_slits(m_problem, m_context.parameters))
       refiner.open_to(coarse_slits(m_problem, m_context, overlapping.chart, result.energy - goal), goal, injective);
-    refiner.lower_to(goal, injective);
+    refiner.lower_to(goal, injective, Objective(m_context.parameters).least_gain_per_cost());
     result.is_optimal = result.is_optimal && injective.ends.size() == former_ends;
     take(std::move(injective), result);
   }
 
-  // Closes what the cut does not need for the map without overlaps to keep the bound.
-  void trim(double bound, Component_result& result) const
+  // Closes what the cut does not need by the map without overlaps.
+  void trim(const Objective& objective, Component_result& result) const
   {
     Injective_cut injective = injective_cut(result);
-    Injective_trimmer(m_problem, m_context).trim(bound, injective);
+    Injective_trimmer(m_problem, m_context).trim(objective, injective);
     take_other_ends(std::move(injective), result);
   }
 
@@ -188,15 +166,7 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double tolerance = 0.0195; // of the energy, without a bound: less is not worth a longer cut
   static constexpr double hopeless = 1000; // a map that is more distorted is far from what slits lead to
-
-  // Without a bound: whether a map of several charts gains enough for the longer cut.
-  bool is_worth_it(const Component_result& divided, const Component_result& result) const
-  {
-    return !result.has_map ||
-           result.energy - divided.energy >= m_context.parameters.decrease_per_cost * (divided.cost - result.cost);
-  }
 
   void map(const Open_chart& running, double hopeless_energy, Component_result& result) const
   {
@@ -247,11 +217,13 @@ private:
     result.energy = map.energy;
   }
 
+  bool may_divide() const { return m_context.parameters.do_bijective && !m_context.parameters.use_published_method; }
+
   // Where a map lies in so many layers, nobody needs to try one in one piece: at best, it would be distorted beyond use.
   bool divide_at_once(const Working_cut& cut, Component_result& result) const
   {
     constexpr double layers = 2; // on average over the box around it
-    if(!m_context.parameters.do_bijective || m_context.parameters.use_published_method)
+    if(!may_divide())
       return false;
     const Open_chart& running = cut.chart();
     Surface_mesh_parameterization::internal::Bounding_box<2> box;
@@ -262,7 +234,7 @@ private:
        < layers * size.x() * size.y())
       return false;
     const Cutting_parameters& parameters = m_context.parameters;
-    return divide(running, parameters.has_bound() ? parameters.maximum_average_distortion : running.energy + tolerance, result);
+    return divide(running, parameters.has_bound() ? parameters.maximum_average_distortion : running.energy, result);
   }
 
   const Problem& m_problem;

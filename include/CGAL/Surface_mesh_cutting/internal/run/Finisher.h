@@ -37,8 +37,8 @@ class Finisher
 public:
   // The references are kept.
   Finisher(const Problem& problem, const Context& context, const Run_plan& plan)
-    : m_problem(problem), m_parameters(context.parameters), m_context(context), m_control(context.control), m_plan(plan),
-      m_parameterizer(problem, context), m_room_search(problem, context, m_parameterizer, plan.rounds_of_moved_ends > 0)
+    : m_problem(problem), m_parameters(context.parameters), m_context(context), m_control(context.control), m_plan(plan), m_objective(context.parameters),
+      m_parameterizer(problem, context), m_room_search(context, m_parameterizer, plan.rounds_of_moved_ends > 0)
   {}
 
   // Where features are all that is known of a cut.
@@ -73,7 +73,7 @@ public:
       return results;
     Component_result completed, shortened;
     m_control.report(Phase::PARAMETERIZE, 0);
-    m_parameterizer(refiner.cut(), completed);
+    map(refiner, completed, false);
     m_control.report(Phase::PARAMETERIZE, 1);
     say_if_missed(completed);
     if(completed.has_map)
@@ -136,12 +136,26 @@ private:
   void finish(const Cut_refiner& refiner, Component_result& result) const
   {
     m_control.report(Phase::PARAMETERIZE, 0);
-    m_parameterizer(refiner.cut(), result);
-    m_room_search(refiner, result);
+    map(refiner, result, true);
+    result.loss_for_room = m_objective(result.cost, result.energy) / m_objective(refiner.cut().cost(), refiner.cut().running_energy()) - 1;
     say_if_missed(result);
     result.add(refiner.cut().trade_offs());
     result.keep_undominated_trade_offs();
     m_control.report(Phase::PARAMETERIZE, 1);
+  }
+
+  void map(const Cut_refiner& refiner, Component_result& result, bool makes_room) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
+    m_parameterizer(refiner.cut(), result);
+    if(makes_room)
+      m_room_search(refiner, result);
+    if(!result.has_map && !m_control.is_stopped())
+      m_parameterizer.map_in_any_case(refiner.cut().chart(), result);
+    if(!result.has_map || m_control.is_stopped())
+      result.status = failure(m_control);
+    else
+      result.status.finding = Finding(); // even if another cut had no map
   }
 
   void say_if_missed(Component_result& result) const
@@ -155,6 +169,7 @@ private:
   const Context m_context;
   Run_control& m_control;
   const Run_plan m_plan;
+  const Objective m_objective;
   const Cut_parameterizer m_parameterizer;
   const Room_search m_room_search;
 };

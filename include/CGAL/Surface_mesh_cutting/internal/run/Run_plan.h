@@ -62,19 +62,19 @@ inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, c
     plan.number_of_solves = has_bound ? 20 : affordable(24, 20000);
     break;
   case Effort::DEFAULT:
-    plan.number_of_starts = affordable(8, 25000);
-    plan.number_of_prepared = affordable(6, 15000);
+    plan.number_of_starts = affordable(8, 30000);
+    plan.number_of_prepared = affordable(6, 20000);
     plan.number_of_refined = affordable(3, 10000);
-    plan.number_of_finalists = parameters.do_bijective && has_bound ? 2 : 1;
+    plan.number_of_finalists = parameters.do_bijective ? affordable(4, 10000) : 1;
     plan.number_of_solves = has_bound ? affordable(60, 300000) : affordable(60, 100000);
-    plan.rounds_of_moved_ends = has_bound ? 3 : 2;
+    plan.rounds_of_moved_ends = has_bound ? 2 : 1;
     plan.corrective_rounds = has_bound ? 1 : 0;
     break;
   case Effort::BEST:
     plan.number_of_starts = 24;
     plan.number_of_prepared = 12;
     plan.number_of_refined = 6;
-    plan.number_of_finalists = parameters.do_bijective && has_bound ? 4 : 1;
+    plan.number_of_finalists = parameters.do_bijective ? 6 : 1;
     plan.number_of_solves = has_bound ? 200 : 100;
     plan.rounds_of_moved_ends = 3;
     plan.corrective_rounds = 1;
