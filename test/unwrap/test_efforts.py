@@ -43,21 +43,25 @@ class Efforts(Case):
         _, report = self.report(f"{name}.off", "-o", "out.obj", "--quiet", "--allow-overlap", *options)
         return report["cut_length"], report["E_iso"]
 
-    # The smaller efforts are among what the best one compares, also from the seeds 0 to 2.
+    # What is minimized without a bound.
+    @staticmethod
+    def total(length, energy):
+        return energy + 0.15 * length
+
+    # The smaller efforts are among what the best one compares.
     def test_best_contains_the_others(self):
         for name, mesh in MESHES.items():
             self.write(f"{name}.off", to_off(mesh))
             for bound in ([], ["--max-distortion", "4.2"]):
                 best, energy = self.length_and_energy(name, "--effort", "best", "--seed", 3, *bound)
                 for effort in ("fast", "default"):
-                    for seed in (0, 1, 3):
-                        with self.subTest(mesh=name, bound=bound, effort=effort, seed=seed):
-                            other, other_energy = self.length_and_energy(name, "--effort", effort, "--seed", seed, *bound)
-                            if bound:
-                                self.assertLessEqual(energy, 4.2)
-                                self.assertLessEqual(best, other * (1 + 1e-9))
-                            else:
-                                self.assertFalse(other < best * (1 - 1e-9) and other_energy < energy - 1e-9)
+                    with self.subTest(mesh=name, bound=bound, effort=effort):
+                        other, other_energy = self.length_and_energy(name, "--effort", effort, "--seed", 3, *bound)
+                        if bound:
+                            self.assertLessEqual(energy, 4.2)
+                            self.assertLessEqual(best, other * (1 + 1e-9))
+                        else:
+                            self.assertLessEqual(self.total(best, energy), self.total(other, other_energy) + 1e-9)
 
     # Single starts miss the bound on at least one of these.
     def test_a_bound_that_is_missed_starts_a_search(self):

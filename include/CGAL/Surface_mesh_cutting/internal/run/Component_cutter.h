@@ -54,8 +54,8 @@ public:
     return result;
   }
 
-  // Runs with the plan of the effort. The best effort runs with those of the smaller ones first, so that it is no worse. The
-  // best result is returned, with the cuts that any run has seen.
+  // Runs with the plan of the effort. The best effort runs with those of the smaller ones first, so that it is no worse; where
+  // a bound is missed, the next larger one may follow. The best result is returned, with the cuts that any run has seen.
   Component_result run(bool needs_map)
   {
     Component_result failed;
@@ -63,7 +63,7 @@ public:
     if(!failed.status)
       return failed;
     std::vector<Component_result> results;
-    const std::vector<Effort> efforts = this->efforts();
+    std::vector<Effort> efforts = this->efforts();
     for(std::size_t i = 0; i < efforts.size() && (i == 0 || m_context.control.go_further()); ++i)
     {
       Run_control control(m_context.control, 1. / double(efforts.size()));
@@ -73,6 +73,8 @@ public:
           results.push_back(std::move(result));
       if(!results.front().has_cut)
         return std::move(results.front());
+      if(i + 1 == efforts.size() && efforts[i] != Effort::BEST && needs_more_starts(results))
+        efforts.push_back(efforts[i] == Effort::FAST ? Effort::DEFAULT : Effort::BEST);
     }
     if(m_problem.initial.is_given())
       add_given_cut(results);
@@ -155,6 +157,15 @@ private:
     constexpr double much = 0.03;
     return std::all_of(results.begin(), results.end(), [&](const Component_result& r)
                        { return !r.has_map || !m_objective.keeps_bound(r.energy) || r.loss_for_room > much; });
+  }
+
+  // On coarse surfaces, where starts differ most, another one may reach the bound, and takes little time.
+  bool needs_more_starts(const std::vector<Component_result>& results) const
+  {
+    constexpr int largest = 2000; // faces
+    return m_problem.mesh.number_of_faces() <= largest && !m_context.parameters.use_published_method &&
+           std::all_of(results.begin(), results.end(), [&](const Component_result& r)
+                       { return r.has_map && !m_objective.keeps_bound(r.energy); });
   }
 
   // A tree through the ends of a given cut and through further features may be worse than that cut.
