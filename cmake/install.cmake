@@ -6,23 +6,20 @@ set(package_dir lib/cmake/Surface_mesh_cutting)
 
 if(SURFACE_MESH_CUTTING_WITH_LIBRARY)
   install(CODE "
-    if(NOT EXISTS \"$<TARGET_FILE:Surface_mesh_cutting_library>\")
+    if(NOT EXISTS \"$<TARGET_FILE:Surface_mesh_cutting>\")
       message(FATAL_ERROR \"Nothing is installed before the library is built:\\n\"
-        \"  cmake --build ${PROJECT_BINARY_DIR} --target Surface_mesh_cutting_library\\n\"
+        \"  cmake --build ${PROJECT_BINARY_DIR} --target Surface_mesh_cutting\\n\"
         \"The CMake option -DSURFACE_MESH_CUTTING_WITH_LIBRARY=OFF leaves the headers alone.\")
     endif()")
 endif()
 install(DIRECTORY include/CGAL DESTINATION include/surface_mesh_cutting)
-install(TARGETS Surface_mesh_cutting EXPORT Surface_mesh_cuttingTargets)
+install(TARGETS Surface_mesh_cutting_headers Surface_mesh_cutting EXPORT Surface_mesh_cuttingTargets ARCHIVE DESTINATION lib)
 install(EXPORT Surface_mesh_cuttingTargets
   NAMESPACE Surface_mesh_cutting:: DESTINATION ${package_dir})
 
-# The compiled library, and what it was compiled with.
+# What the library was compiled with.
 set(SURFACE_MESH_CUTTING_LIBRARY_DEPENDENCIES "")
 if(SURFACE_MESH_CUTTING_WITH_LIBRARY)
-  install(TARGETS Surface_mesh_cutting_library EXPORT Surface_mesh_cuttingLibrary ARCHIVE DESTINATION lib)
-  install(EXPORT Surface_mesh_cuttingLibrary
-    NAMESPACE Surface_mesh_cutting:: DESTINATION ${package_dir})
   foreach(library TBB METIS)
     if(TARGET CGAL::${library}_support)
       list(APPEND SURFACE_MESH_CUTTING_LIBRARY_DEPENDENCIES ${library})

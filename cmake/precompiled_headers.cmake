@@ -29,13 +29,15 @@ set(precompiled_mapping CGAL/Surface_mesh_cutting/internal/mapping/final_map.h)
 set(precompiled_sets_of_headers graph numbers index_arrays functions parameters predicates solvers surface cutting
   cutting_of_surface mapping)
 
-# reached_headers(FILE RESULT): what its lines of #include reach, whatever #if stands around them
+# reached_headers(FILE RESULT): what its lines of #include reach, whatever #if stands around them but that of an X_impl.h,
+# which programs leave to the library
 function(reached_headers file result)
   get_property(is_known GLOBAL PROPERTY "reached_headers_of_${file}" SET)
   if(NOT is_known)
     get_filename_component(folder "${file}" DIRECTORY)
     set(headers "")
     file(STRINGS "${file}" lines REGEX "^ *# *include +[<\"]")
+    list(FILTER lines EXCLUDE REGEX "_impl\\.h>")
     foreach(line IN LISTS lines)
       string(REGEX REPLACE "^ *# *include +[<\"]([^>\"]+).*" "\\1" header "${line}")
       list(APPEND headers "${header}")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Records what `unwrap` finds in forty runs, or compares that with a record made before:
 
-    scripts/golden_record.py RECORD.json [--program PROGRAM] [--data FOLDER] [--only WORD]
+    scripts/golden_record.py RECORD.json [--program PROGRAM] [--data FOLDER] [--only WORD] [--every N]
     scripts/golden_record.py RECORD.json --compare FORMER.json [--same cut|bytes]
 
 The runs cover all efforts, bounds, maps with and without overlaps, the published method, handles, borders, soups, and one
@@ -52,11 +52,11 @@ def run(program, mesh, options, threads):
         return {**measures(json.loads(report.read_text())), "cut": digest(cut), "mesh": digest(output)}
 
 
-def record(program, data, word):
+def record(program, data, word, step):
     results = {}
     for number, (mesh, options) in enumerate(RUNS):
         name = f"{mesh} {options}".strip()
-        if word not in name:
+        if word not in name or number % step != 0:
             continue
         threads = 1 + number % 2
         results[name] = run(program, data / mesh, options, threads)
@@ -95,11 +95,12 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "bin" / "unwrap")
     parser.add_argument("--data", type=pathlib.Path, default=ROOT / "build" / "data" / "meshes")
     parser.add_argument("--only", default="", metavar="WORD", help="the runs whose name holds it")
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="of the runs, each Nth")
     parser.add_argument("--compare", type=pathlib.Path, metavar="FORMER.json")
     parser.add_argument("--same", choices=["cut", "bytes"], default="bytes")
     arguments = parser.parse_args()
     if not (arguments.compare and arguments.record.exists()):
-        results = record(arguments.program, arguments.data, arguments.only)
+        results = record(arguments.program, arguments.data, arguments.only, arguments.every)
         arguments.record.write_text(json.dumps(results, indent=1) + "\n")
     results = json.loads(arguments.record.read_text())
     if arguments.compare and not compare(json.loads(arguments.compare.read_text()), results, arguments.same):

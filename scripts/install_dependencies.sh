@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, from Debian; the validator of glTF, which the tests use where it is there, from npm:
-#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator|ci]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -25,8 +25,7 @@ for purpose in "$@"; do
     blender) wanted+=(blender xvfb xauth libgl1-mesa-dri python3) ;;
     validator) command -v npm > /dev/null || wanted+=(nodejs npm) # others than Debian's bring their own npm
                does_want_validator=yes ;;
-    ci)    wanted+=(clang) ;;
-    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator|ci]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator]..." >&2; exit 2 ;;
   esac
 done
 

@@ -40,7 +40,7 @@ pack_program() {
 }
 
 pack_library() {
-  "$root/scripts/build.sh" --target Surface_mesh_cutting_library
+  "$root/scripts/build.sh" --target Surface_mesh_cutting
   rm -f "$packages"/libsurface-mesh-cutting-dev_*.deb
   cpack --config "$root/build/CPackConfig.cmake" -G DEB -B "$packages"
   rm -rf "$packages/_CPack_Packages"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds with sanitizers of clang++ and runs tests:
-#   scripts/sanitize.sh address [options of ctest]   memory and undefined behavior; by default all tests of behavior
+#   scripts/sanitize.sh address [options of ctest]   memory, undefined behavior, assertions; by default all tests of behavior
 #   scripts/sanitize.sh program                      the same for the program alone, on unusual meshes
 #   scripts/sanitize.sh thread                       races, in what runs in parallel
 set -euo pipefail
@@ -16,7 +16,7 @@ preset=${1:-address}
 targets=()
 case $preset in
   address) [ $# -gt 0 ] || set -- --label-exclude '^slow$' --exclude-regex '^merge_check|install|readme' ;;
-  program) preset=address
+  program) preset=clang
            targets=(--target unwrap)
            set -- --tests-regex '^unwrap_(usage|reading|limits|unusual)$' ;;
   thread)  targets=(--target unwrap test_feature_points test_steiner_tree_parallel)

@@ -27,6 +27,7 @@
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Mesh_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <Eigen/SparseCholesky>

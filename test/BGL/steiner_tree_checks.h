@@ -1,6 +1,7 @@
 #ifndef STEINER_TREE_CHECKS_H
 #define STEINER_TREE_CHECKS_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ inline bool are_equal(double a, double b)
 // no cycle, all terminals connected, no leaf that is no terminal, and the length is right
 inline void check_tree(const Core::Csr_graph& graph, const std::vector<int>& terminals, const Core::Tree& tree)
 {
-  Core::Disjoint_sets components(graph.number_of_vertices());
+  CGAL::internal::Graph_kernel::Disjoint_sets components(graph.number_of_vertices());
   std::vector<int> degree(graph.number_of_vertices(), 0);
   double length = 0.;
   for(int e : tree.edges) {

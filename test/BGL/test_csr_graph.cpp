@@ -6,6 +6,7 @@
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -44,7 +45,7 @@ void test_shortest_paths(const Csr_graph& graph, const Lists& lists, int source)
   std::vector<double> expected(graph.number_of_vertices());
   boost::dijkstra_shortest_paths(lists, std::size_t(source), boost::distance_map(expected.data())
                                                                 .distance_inf((std::numeric_limits<double>::infinity)()));
-  Core::Shortest_paths paths(graph);
+  CGAL::internal::Graph_kernel::Shortest_paths paths(graph);
   paths.add_source(source);
   paths.run();
   CHECK(paths.distances() == expected); // sums of integers are exact
@@ -79,7 +80,7 @@ void test_disjoint_sets(const Csr_graph& graph, const Lists& lists)
   for(int v = 0; v < graph.number_of_vertices(); ++v)
     if(expected[v] == int(lowest.size()))
       lowest.push_back(v);
-  Core::Disjoint_sets sets(graph.number_of_vertices());
+  CGAL::internal::Graph_kernel::Disjoint_sets sets(graph.number_of_vertices());
   int number_of_sets = graph.number_of_vertices();
   for(const Core::Edge& e : graph.edges)
     number_of_sets -= sets.unite(e.source, e.target);
@@ -148,7 +149,7 @@ int main()
     const std::vector<std::size_t> terminals{std::size_t(s), std::size_t(t), std::size_t(s)};
     std::vector<Descriptor> tree;
     const CGAL::Steiner_tree::Result result = CGAL::steiner_tree(lists, terminals, std::back_inserter(tree));
-    Core::Shortest_paths paths(graph);
+    CGAL::internal::Graph_kernel::Shortest_paths paths(graph);
     paths.add_source(s);
     paths.run();
     if(paths.distance(t) < (std::numeric_limits<double>::infinity)())

@@ -4,6 +4,7 @@
 #include "mesh_graphs.h"
 #include "steiner_tree_checks.h"
 
+#include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure_of_graph.h>
 
 #include <CGAL/Simple_cartesian.h>

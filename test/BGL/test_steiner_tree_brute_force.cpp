@@ -3,6 +3,9 @@
 #include "steiner_tree_checks.h"
 
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_program.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -28,7 +31,7 @@ double brute_force(const Core::Csr_graph& graph, const std::vector<int>& termina
     for(int v = 0; v < graph.number_of_vertices(); ++v)
       missing += int((set >> v) & 1);
     double length = 0.;
-    Core::Disjoint_sets components(graph.number_of_vertices());
+    CGAL::internal::Graph_kernel::Disjoint_sets components(graph.number_of_vertices());
     for(int e : order) {
       const Core::Edge& edge = graph.edges[e];
       if(((set >> edge.source) & 1) && ((set >> edge.target) & 1) && components.unite(edge.source, edge.target)) {

@@ -3,6 +3,8 @@
 #include "mesh_graphs.h"
 #include "steiner_tree_checks.h"
 
+#include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
+
 // the solution when the answer is no from some question on, which has to come
 Core::Solution solve_until(int question, const Core::Csr_graph& graph, const std::vector<int>& terminals,
                            Core::Method method)

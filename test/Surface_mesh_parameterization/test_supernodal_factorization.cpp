@@ -1,11 +1,12 @@
 // Supernodal factors of random matrices and of grids against Eigen's; the supernodes against a dense elimination;
-// the same bits with one thread and with several.
+// the same bits with one thread and with several; the order of elimination of a large graph.
 
 #undef NDEBUG
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Direct_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 
 #include <CGAL/Random.h>
@@ -216,6 +217,71 @@ void test_interruption()
   assert(questions == most + 1);
 }
 
+// The pattern of a grid of vertices, diagonals included.
+Sparse_matrix grid_graph(int side)
+{
+  std::vector<Eigen::Triplet<double> > entries;
+  const auto add = [&](int i, int j)
+  {
+    entries.emplace_back(i, j, 1.);
+    if(i != j)
+      entries.emplace_back(j, i, 1.);
+  };
+  for(int v = 0; v < side * side; ++v)
+  {
+    add(v, v);
+    if(v % side > 0)
+      add(v, v - 1);
+    if(v >= side)
+      add(v, v - side);
+  }
+  Sparse_matrix result(side * side, side * side);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+double number_of_entries_of_factor(const Sparse_matrix& graph, const std::vector<int>& order)
+{
+  std::vector<int> places(order.size());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    places[order[i]] = int(i);
+  std::vector<Eigen::Triplet<double> > entries;
+  for(int j = 0; j < graph.cols(); ++j)
+    for(Sparse_matrix::InnerIterator it(graph, j); it; ++it)
+      if(places[it.row()] <= places[j])
+        entries.emplace_back(places[it.row()], places[j], 1.);
+  Sparse_matrix upper(graph.rows(), graph.cols());
+  upper.setFromTriplets(entries.begin(), entries.end());
+  const Supernodes supernodes(upper);
+  double sum = 0;
+  for(int s = 0; s < supernodes.size(); ++s)
+    sum += supernodes.width(s) * (double(supernodes.height(s)) - 0.5 * (supernodes.width(s) - 1));
+  return sum;
+}
+
+// METIS dissects large graphs.
+void test_order_of_large_graph()
+{
+#ifdef CGAL_METIS_ENABLED
+  const Sparse_matrix graph = grid_graph(450); // more than 200,000 vertices
+  const std::vector<int> order = fill_reducing_order(graph), minimum_degree = minimum_degree_order(graph);
+  std::vector<char> is_placed(graph.cols(), 0);
+  for(int v : order)
+  {
+    assert(v >= 0 && v < graph.cols() && !is_placed[v]);
+    is_placed[v] = 1;
+  }
+  assert(int(order.size()) == graph.cols());
+  const double entries = number_of_entries_of_factor(graph, order);
+  const double entries_by_degree = number_of_entries_of_factor(graph, minimum_degree);
+  std::cout << "entries of the factor: " << entries << ", by minimum degree " << entries_by_degree << std::endl;
+  assert(entries < entries_by_degree);
+  assert(fill_reducing_order(graph) == order);
+  const Sparse_matrix small = grid_graph(100);
+  assert(fill_reducing_order(small) == minimum_degree_order(small));
+#endif
+}
+
 int main()
 {
   CGAL::Random random;
@@ -225,4 +291,5 @@ int main()
     test_grid(size, random);
   test_indefinite(random);
   test_interruption();
+  test_order_of_large_graph();
 }

@@ -53,7 +53,7 @@ execute_process(COMMAND "${CMAKE_COMMAND}" --install "${FOLDER}/eigen_5" --prefi
 if(result EQUAL 0 OR EXISTS "${FOLDER}/prefix")
   message(FATAL_ERROR "Half of the package is installed:\n${output}")
 endif()
-require_output("cmake --build ${FOLDER}/eigen_5 --target Surface_mesh_cutting_library")
+require_output("cmake --build ${FOLDER}/eigen_5 --target Surface_mesh_cutting")
 
 configure(headers "-DCGAL_DIR=${CGAL}" -DSURFACE_MESH_CUTTING_WITH_LIBRARY=OFF)
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${FOLDER}/headers" --prefix "${FOLDER}/prefix"

@@ -1,6 +1,6 @@
 # Makes a project of the code in the README:
 #   cmake -DREADME=FILE -DFOLDER=FOLDER [-DTARGET=TARGET] -P extract_readme.cmake
-# TARGET: what it links instead of the library
+# TARGET: what it links instead
 
 file(READ "${README}" text)
 foreach(block "cmake;CMakeLists.txt" "cpp;main.cpp")
@@ -11,7 +11,7 @@ foreach(block "cmake;CMakeLists.txt" "cpp;main.cpp")
   endif()
   set(block_text "${CMAKE_MATCH_1}")
   if(TARGET)
-    string(REPLACE "Surface_mesh_cutting::library" "${TARGET}" block_text "${block_text}")
+    string(REPLACE "Surface_mesh_cutting::Surface_mesh_cutting" "${TARGET}" block_text "${block_text}")
   endif()
   file(WRITE "${FOLDER}/${file}" "${block_text}")
 endforeach()

@@ -14,7 +14,7 @@ EXAMPLE_LIMIT = 80
 FIGURE_LIMIT = 200_000  # bytes
 SIZE_LIMIT = 300_000  # bytes
 TEXT = {".h", ".cpp", ".txt", ".cmake", ".py", ".sh", ".in", ".md", ".json"}
-NOT_NAMED_AFTER_ENTITY = {"Visitor", "distortion_measures"}  # headers of several entities
+NOT_NAMED_AFTER_ENTITY = {"Visitor", "distortion_measures", "implementation"}  # headers of several entities
 OVERLAY = "include/CGAL/STL_Extension/internal/parameters_interface.h"
 
 

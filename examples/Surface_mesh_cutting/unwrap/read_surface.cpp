@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Welding_advice.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/name_of_interpretation.h>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
 #endif
 

@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/read_packing_parameters.h>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_packing.h>
 #endif
 

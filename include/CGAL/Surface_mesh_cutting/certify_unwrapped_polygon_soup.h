@@ -24,7 +24,7 @@
 
 #include <vector>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_map.h>
 #endif
 

@@ -30,7 +30,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/connect_indexed_points.h>
 #endif
 

@@ -23,7 +23,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/measure_indexed_map.h>
 #endif
 

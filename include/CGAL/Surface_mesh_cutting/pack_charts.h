@@ -29,7 +29,7 @@
 #include <type_traits>
 #include <utility>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/pack_indexed_charts.h>
 #endif
 

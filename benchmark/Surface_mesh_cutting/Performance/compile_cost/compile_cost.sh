@@ -29,5 +29,5 @@ row() {
 }
 row "CGAL's ARAP parameterizer" "$root/benchmark/Surface_mesh_cutting/Performance/compile_cost/arap.cpp"
 row "the program of README.md" "$work/main.cpp"
-row "the same with the compiled library" "$work/main.cpp" -DCGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+row "the same with the compiled library" "$work/main.cpp" -DCGAL_SEPARATE_IMPLEMENTATION
 row "steiner_tree_example.cpp" "$root/examples/BGL/steiner_tree_example.cpp"

@@ -28,7 +28,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/library.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
 #include <Eigen/Core>
 
@@ -45,57 +45,57 @@ namespace internal {
 // function includes the one that it calls.
 
 // Refuses a mesh whose halfedges fit together but that is not manifold.
-CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh, Execution execution);
+CGAL_INLINE_UNLESS_SEPARATE Indexed_status check_mesh(const Indexed_mesh& mesh, Execution execution);
 
 // What is unusual about a mesh, though handled: why a result may look odd, or take long.
-CGAL_SURFACE_MESH_CUTTING_INLINE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh);
+CGAL_INLINE_UNLESS_SEPARATE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh);
 
 // The polygons of a surface as triangles. `opposites` holds the side across each side, or -1 on a border; no side has the
 // same vertex twice. Linear in the number of corners on usual polygons.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Polygon_triangulation triangulate_polygons(const std::vector<Point>& points, const Polygons& polygons,
                                            const std::vector<int>& opposites);
 
 // Reads a polygon soup as a surface. Points that polygons use are finite, and indices in range. Nearly linear time.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                              const Cutting_constraints& constraints, const Context& context);
 
 // Cuts the handles and then connects borders and terminals. The weight and its bound include those
 // of the mandatory edges.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
                                      const std::vector<int>& terminals, const Cutting_parameters& parameters,
                                      Execution execution, const Go_further& go_further);
 
 // Whether a chart consists of disks, and a map given by its corners is proven to be valid.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv, bool do_bijective);
 
 // The measures of such a map, `resolution` at the scale of the indexed mesh, or why there are none.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status measure_indexed_map(const Indexed_mesh& mesh, const Cut& cut,
                                    const std::vector<Eigen::Vector2d>& corner_uv, Distortion_measures& measures);
 
 // Moves the parts of a chart into the unit square. `round`: what becomes of a UV when it is handed out and read back.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
                                     const Packing_parameters& parameters,
                                     const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                                     Execution execution, Run_control& control);
 
 // Whether the parts of a flat chart lie in the unit square and apart.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status certify_indexed_packing(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
                                        const Packing_parameters& parameters);
 
 // The visibility of each edge, unless `control` ends the run. O(n k log n) for k rays on most surfaces.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Execution execution,
                                                 Run_control& control);
 

@@ -15,10 +15,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 
@@ -61,83 +57,32 @@ public:
 
   // As conformal as possible, free border: KP-Newton on the MIPS energy. The result has the surface's area.
   Newton_result conformal_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options,
-                              First_map first_map = First_map::HIERARCHY)
-  {
-    if(!start<MIPS_energy>(uv, options, first_map))
-      return Newton_result();
-    const Newton_result result = improve_conformally(uv, options);
-    return first_map == First_map::TUTTE && result.energy > hopeless_energy ? conformal_map(uv, options) : result;
-  }
+                              First_map first_map = First_map::HIERARCHY);
 
-  Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
-  {
-    const Newton_result result = solver().minimize<MIPS_energy>(m_shapes, m_weights, uv, options);
-    if(result.outcome != Newton_outcome::FAILED)
-      scale_to_area(m_chart.triangles(), surface_area(m_shapes), uv);
-    return result;
-  }
+  Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options);
 
   // As isometric as possible, free border: KP-Newton on the symmetric Dirichlet energy from the same
   // starts.
-  Newton_result isometric_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
-  {
-    if(!isometric_start(uv, options))
-      return Newton_result();
-    return improve_isometrically(uv, options);
-  }
+  Newton_result isometric_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options);
 
   // The start of `isometric_map()`. False if no flip-free map was found or the run was stopped.
   bool isometric_start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options,
-                       First_map first_map = First_map::HIERARCHY)
-  {
-    return start<Symmetric_Dirichlet_energy>(uv, options, first_map);
-  }
+                       First_map first_map = First_map::HIERARCHY);
 
   // From the flip-free map `uv`, which is first brought to its best scale.
-  Newton_result improve_isometrically(std::vector<Eigen::Vector2d>& uv, const Newton_options& options)
-  {
-    const double scale = best_scale(m_shapes, m_chart.triangles(), uv);
-    for(Eigen::Vector2d& u : uv)
-      u *= scale;
-    return solver().minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
-  }
+  Newton_result improve_isometrically(std::vector<Eigen::Vector2d>& uv, const Newton_options& options);
 
   // The place of each vertex in the order of elimination.
   const std::vector<int>& positions() { return solver().positions(); }
 
 private:
-  Newton_solver& solver()
-  {
-    if(!m_solver)
-      m_solver = std::make_unique<Newton_solver>(m_chart.triangles(), m_chart.number_of_vertices(), m_linear_solvers,
-                                                 std::vector<char>(), m_ranks);
-    return *m_solver;
-  }
+  Newton_solver& solver();
 
   template <typename Energy>
-  bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map)
-  {
-    bool is_mapped = false;
-    const auto map = [&] { is_mapped = first_map_found<Energy>(uv, options, first_map); };
-    if(m_linear_solvers.execution == Execution::PARALLEL)
-      execute_both(Execution::PARALLEL, map, [&] { solver(); });
-    else // then its memory is not needed yet
-      map();
-    return is_mapped;
-  }
+  bool start(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map);
 
   template <typename Energy>
-  bool first_map_found(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map) const
-  {
-    const auto map_by_tutte
-      = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), m_linear_solvers, uv); };
-    if(first_map == First_map::TUTTE && map_by_tutte())
-      return true;
-    const Stages_outcome outcome = hierarchical_map<Energy>(m_chart, m_points, m_linear_solvers, uv,
-                                                            options.go_further);
-    return outcome == Stages_outcome::MAPPED ||
-           (outcome == Stages_outcome::FAILED && first_map != First_map::TUTTE && map_by_tutte());
-  }
+  bool first_map_found(std::vector<Eigen::Vector2d>& uv, const Newton_options& options, First_map first_map) const;
 
   const Corner_table& m_chart;
   std::vector<Eigen::Vector3d> m_points;
@@ -151,5 +96,9 @@ private:
 } // namespace internal
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL
+
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
+#include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_PARAMETERIZER_H

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status certify_indexed_packing(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
                                        const Packing_parameters& parameters)
 {

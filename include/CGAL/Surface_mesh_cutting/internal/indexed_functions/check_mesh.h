@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE Indexed_status check_mesh(const Indexed_mesh& mesh, Execution execution)
+CGAL_INLINE_UNLESS_SEPARATE Indexed_status check_mesh(const Indexed_mesh& mesh, Execution execution)
 {
   std::vector<int> pinched, doubled;
   Surface_mesh_parameterization::internal::execute_both(

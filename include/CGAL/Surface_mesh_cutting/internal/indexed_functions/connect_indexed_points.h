@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Connected_cut connect_indexed_points(const Indexed_mesh& mesh, Edge_constraints constraints,
                                      const std::vector<int>& terminals, const Cutting_parameters& parameters,
                                      Execution execution, const Go_further& go_further)

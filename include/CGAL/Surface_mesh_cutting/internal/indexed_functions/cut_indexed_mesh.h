@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                              const Cutting_constraints& constraints, const Context& context)

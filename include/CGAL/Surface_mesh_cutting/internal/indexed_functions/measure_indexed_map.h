@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status measure_indexed_map(const Indexed_mesh& mesh, const Cut& cut,
                                    const std::vector<Eigen::Vector2d>& corner_uv, Distortion_measures& measures)
 {

@@ -84,7 +84,7 @@ inline std::vector<int> coincident_vertices(const Indexed_mesh& mesh)
   return vertices;
 }
 
-CGAL_SURFACE_MESH_CUTTING_INLINE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh)
+CGAL_INLINE_UNLESS_SEPARATE std::vector<Finding> mesh_warnings(const Indexed_mesh& mesh)
 {
   constexpr int many_neighbors = 1000;
   std::vector<Finding> warnings;

@@ -94,7 +94,7 @@ inline Indexed_status certify_rounded(const Corner_table& chart, const std::vect
   return status;
 }
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
                                     const Packing_parameters& parameters, const Round& round, Execution execution,
                                     Run_control& control)

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution)
 {
   return Soup_reader(points, soup, welding, execution).run();

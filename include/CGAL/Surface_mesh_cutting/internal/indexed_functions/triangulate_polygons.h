@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Polygon_triangulation triangulate_polygons(const std::vector<Point>& points, const Polygons& polygons,
                                            const std::vector<int>& opposites)
 {

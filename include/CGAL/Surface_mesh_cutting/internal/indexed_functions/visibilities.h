@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 std::optional<std::vector<double> > visibilities(const Indexed_mesh& mesh, const View& view, Execution execution,
                                                 Run_control& control)
 {

@@ -31,10 +31,6 @@
 #include <utility>
 #include <vector>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter_impl.h>
-#endif
-
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {

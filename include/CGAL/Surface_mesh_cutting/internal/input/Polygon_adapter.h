@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/library.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
@@ -47,7 +46,6 @@ public:
   // Why the surface is refused. The indexed mesh exists only where this is OK.
   const Indexed_status& status() const { return m_status; }
   // What is unusual about it, though handled. O(n log n).
-  CGAL_SURFACE_MESH_CUTTING_INLINE
   std::vector<Finding> warnings() const;
   const Indexed_mesh& mesh() const { return m_mesh; }
 
@@ -85,12 +83,10 @@ protected:
   }
 
   // `opposites` holds the side across each side, or -1 on a border; no side has the same vertex twice. O(n).
-  CGAL_SURFACE_MESH_CUTTING_INLINE
   void make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites,
                  Execution execution = Execution::SEQUENTIAL);
 
   // Before there are triangles; `polygons` are indices of polygons, in any order.
-  CGAL_SURFACE_MESH_CUTTING_INLINE
   void refuse_polygons(Status_code code, const char* message, std::vector<int> polygons);
 
   // The status with its finding and warnings as `translate` gives them.
@@ -105,18 +101,15 @@ protected:
   }
 
   // Turns triangles into polygons, each once, and leaves out diagonals.
-  CGAL_SURFACE_MESH_CUTTING_INLINE
   Finding in_polygons(Finding finding) const;
 
   // ": faces 3, 5 and 1 more"; edges are named by their two vertices. `name` gives the number to show for the index of
   // a vertex or polygon.
-  CGAL_SURFACE_MESH_CUTTING_INLINE
   std::string enumeration(const Finding& finding, const std::function<int(int)>& name) const;
 
   Indexed_status m_status;
 
 private:
-  CGAL_SURFACE_MESH_CUTTING_INLINE
   void normalize(std::vector<Point>& points, const Polygons& polygons);
 
   int m_exponent = 0;
@@ -129,5 +122,9 @@ private:
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
+
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
+#include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_INPUT_POLYGON_ADAPTER_H

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@
 #include <utility>
 #include <vector>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/mesh_warnings.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/triangulate_polygons.h>
@@ -42,7 +43,7 @@ namespace internal {
 
 // What `Polygon_adapter` does for all types of meshes alike: the compiled library holds it.
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 void Polygon_adapter::normalize(std::vector<Point>& points, const Polygons& polygons)
 {
   Surface_mesh_parameterization::internal::Bounding_box<3> box;
@@ -53,7 +54,7 @@ void Polygon_adapter::normalize(std::vector<Point>& points, const Polygons& poly
     p = Surface_mesh_parameterization::internal::scaled(p, -m_exponent);
 }
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites,
                                 Execution execution)
 {
@@ -74,7 +75,7 @@ void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polyg
   m_status = check_mesh(m_mesh, execution);
 }
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 std::vector<Finding> Polygon_adapter::warnings() const
 {
   constexpr int extreme = 332; // 1e100
@@ -85,7 +86,7 @@ std::vector<Finding> Polygon_adapter::warnings() const
   return warnings;
 }
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 void Polygon_adapter::refuse_polygons(Status_code code, const char* message, std::vector<int> polygons)
 {
   CGAL::internal::Graph_kernel::sort_unique(polygons);
@@ -94,7 +95,7 @@ void Polygon_adapter::refuse_polygons(Status_code code, const char* message, std
   m_status = Indexed_status(code, message, Element_kind::FACE, std::move(polygons));
 }
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Finding Polygon_adapter::in_polygons(Finding finding) const
 {
   std::vector<int>& indices = finding.indices;
@@ -110,7 +111,7 @@ Finding Polygon_adapter::in_polygons(Finding finding) const
   return finding;
 }
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 std::string Polygon_adapter::enumeration(const Finding& finding, const std::function<int(int)>& name) const
 {
   if(finding.indices.empty() || finding.kind == Element_kind::NONE)

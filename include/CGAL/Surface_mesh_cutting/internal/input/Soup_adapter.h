@@ -31,9 +31,8 @@
 #include <utility>
 #include <vector>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
-#include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter_impl.h>
 #endif
 
 namespace CGAL {

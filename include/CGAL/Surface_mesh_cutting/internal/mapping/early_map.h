@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 

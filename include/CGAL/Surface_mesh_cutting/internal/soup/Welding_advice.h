@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
 #endif
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/library.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/adapted_solvers.h>
 
@@ -25,10 +24,6 @@
 #include <memory>
 #include <type_traits>
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_USE_LIBRARY
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/default_solvers.h>
-#endif
-
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
@@ -36,7 +31,6 @@ namespace internal {
 using CGAL::internal::Graph_kernel::Go_further;
 using CGAL::internal::Graph_kernel::always_go_further;
 
-CGAL_SURFACE_MESH_CUTTING_INLINE
 Solvers default_solvers(const Go_further& go_further = always_go_further, Execution execution = Execution::SEQUENTIAL);
 
 // From what a program gives: nothing but `Default`, or a solver. Each system has an object of its own: a copy of a
@@ -65,5 +59,9 @@ Solvers make_solvers(const Solver& given, const Go_further& go_further = always_
 } // namespace internal
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL
+
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_MAKE_SOLVERS_H

@@ -14,6 +14,7 @@
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>

@@ -12,24 +12,20 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/tree_through_many_terminals.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+using Graph_kernel::Execution;
+using Graph_kernel::Go_further;
 
 enum class Outcome
 {
@@ -49,132 +45,25 @@ struct Solution
 };
 
 // vertices that branch the tree without being terminals
-inline std::vector<int> branch_vertices(const Csr_graph& graph, const std::vector<int>& terminals, const Tree& tree)
-{
-  std::vector<int> ends;
-  for(int e : tree.edges) {
-    ends.push_back(graph.edges[e].source);
-    ends.push_back(graph.edges[e].target);
-  }
-  std::sort(ends.begin(), ends.end());
-  std::vector<int> result;
-  for(auto it = ends.begin(); it != ends.end();) {
-    const auto next = std::upper_bound(it, ends.end(), *it);
-    if(next - it >= 3 && std::find(terminals.begin(), terminals.end(), *it) == terminals.end())
-      result.push_back(*it);
-    it = next;
-  }
-  return result;
-}
-
-inline Tree greedy_tree(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-                        Execution execution, const Go_further& go_further)
-{
-  Key_points points(graph, terminals, execution, go_further);
-  if(!points.is_complete())
-    return metric_closure_tree(graph, terminals);
-  const Tree tree = insert_auxiliary_points(points, options.minimum_length_decrease, go_further);
-  if(options.method == Method::greedy_auxiliary_points)
-    return tree;
-  std::vector<int> keys(terminals);
-  for(int i = 0; i < points.number_of_auxiliary_points(); ++i)
-    keys.push_back(points.auxiliary_point(i));
-  const Tree grown = shortest_path_heuristic(graph, keys, go_further);
-  return make_tree(graph, terminals, grown.edges);
-}
-
-// local search from two sides: from the terminals, and from the branches that the shortest path heuristic finds
-inline Tree local_search_tree(const Csr_graph& graph, const std::vector<int>& terminals,
-                              Execution execution, const Go_further& go_further)
-{
-  const Tree grown = shortest_path_heuristic(graph, terminals, go_further);
-  const double minimum_decrease = 1e-10 * grown.length;
-  Key_points points(graph, terminals, execution, go_further);
-  if(!points.is_complete())
-    return grown;
-  const Tree first = local_search(points, minimum_decrease, go_further);
-  for(int v : branch_vertices(graph, terminals, grown))
-    points.insert(v);
-  const Tree second = local_search(points, minimum_decrease, go_further);
-  return second.length < first.length ? second : first;
-}
+std::vector<int> branch_vertices(const Csr_graph& graph, const std::vector<int>& terminals, const Tree& tree);
 
 // where the terminals are not connected, or fewer than two
-inline std::optional<Solution> solve_without_search(const Csr_graph& graph, const std::vector<int>& terminals)
-{
-  Solution solution;
-  if(!Graph_kernel::are_connected(graph, terminals, [](int) { return true; })) {
-    solution.outcome = Outcome::terminals_not_connected;
-    return solution;
-  }
-  if(terminals.size() < 2) {
-    solution.tree.length = 0.;
-    solution.is_optimal = true;
-    return solution;
-  }
-  return std::nullopt;
-}
+std::optional<Solution> solve_without_search(const Csr_graph& graph, const std::vector<int>& terminals);
 
 // the solution with what follows from it. All methods begin with a shortest path between two terminals.
-inline Solution concluded(Solution solution, bool is_shortest_path, const Go_further& go_further)
-{
-  if(is_shortest_path) {
-    solution.is_optimal = true;
-    solution.outcome = Outcome::done;
-  }
-  if(solution.is_optimal)
-    solution.lower_bound = solution.tree.length;
-  else if(!go_further())
-    solution.outcome = Outcome::cancelled;
-  return solution;
-}
+Solution concluded(Solution solution, bool is_shortest_path, const Go_further& go_further);
 
 // connects the terminals, which must be different vertices. `go_further()` is asked between steps; false cancels.
 // Weights must be finite and not negative. The exact method begins with the edges of a `known` tree, if one is given.
-inline Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
-                      Execution execution, const Go_further& go_further, const std::vector<int>& known = {})
-{
-  if(const std::optional<Solution> solution = solve_without_search(graph, terminals))
-    return *solution;
-  Solution solution;
-  switch(options.method) {
-  case Method::metric_closure:
-    solution.tree = metric_closure_tree(graph, terminals);
-    break;
-  case Method::shortest_path_heuristic:
-    solution.tree = shortest_path_heuristic(graph, terminals, go_further);
-    break;
-  case Method::greedy_auxiliary_points:
-  case Method::greedy_auxiliary_points_and_shortest_paths:
-    solution.tree = greedy_tree(graph, terminals, options, execution, go_further);
-    break;
-  case Method::local_search:
-    solution.tree = local_search_tree(graph, terminals, execution, go_further);
-    break;
-  case Method::exact:
-    if(terminals.size() > options.maximum_number_of_terminals) {
-      solution.tree =
-        tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further);
-      break;
-    }
-    const bool needs_near_points = known.empty() && terminals.size() > std::size_t(largest_number_of_terminals);
-    const Exact_solver solver(
-      graph, terminals, options.maximum_number_of_states, execution, go_further,
-      needs_near_points
-        ? tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further).edges
-        : known);
-    solution.tree = solver.tree();
-    solution.lower_bound = solver.lower_bound();
-    solution.is_optimal = solver.is_optimal();
-    if(!solution.is_optimal)
-      solution.outcome = Outcome::budget_exceeded;
-    break;
-  }
-  return concluded(std::move(solution), terminals.size() == 2 && known.empty(), go_further);
-}
+Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
+               Execution execution, const Go_further& go_further, const std::vector<int>& known = {});
 
 } // namespace Steiner_tree
 } // namespace internal
 } // namespace CGAL
+
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
+#include <CGAL/boost/graph/internal/Steiner_tree/solve_impl.h>
+#endif
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H

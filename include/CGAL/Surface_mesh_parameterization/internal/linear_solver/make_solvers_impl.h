@@ -9,13 +9,15 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_DEFAULT_SOLVERS_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_DEFAULT_SOLVERS_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_MAKE_SOLVERS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_MAKE_SOLVERS_IMPL_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/library.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Direct_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
 #include <memory>
 
@@ -24,7 +26,7 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // Those of programs that give no solver.
-CGAL_SURFACE_MESH_CUTTING_INLINE
+CGAL_INLINE_UNLESS_SEPARATE
 Solvers default_solvers(const Go_further& go_further, Execution execution)
 {
   return {[=] { return std::make_unique<Direct_solver>(go_further, execution); }, execution};
@@ -34,4 +36,4 @@ Solvers default_solvers(const Go_further& go_further, Execution execution)
 } // namespace Surface_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_DEFAULT_SOLVERS_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_MAKE_SOLVERS_IMPL_H
