@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, from Debian; the validator of glTF, which the tests use where it is there, from npm:
-#   scripts/install_dependencies.sh [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|python|corpus|evaluation|sanitize|doc|figures|blender|validator]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -17,7 +17,6 @@ for purpose in "$@"; do
     python) wanted+=(python3-dev pybind11-dev python3-numpy python3-pytest python3-matplotlib
                      python3-pip python3-setuptools python3-wheel python3-venv) ;;
     corpus) wanted+=(parallel python3) ;;
-    cluster) wanted+=(parallel python3 slurmctld slurmd slurm-client munge openssh-client openssh-server) ;;
     evaluation) wanted+=(python3 gnuplot-nox) ;;
     sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
@@ -25,7 +24,7 @@ for purpose in "$@"; do
     blender) wanted+=(blender xvfb xauth libgl1-mesa-dri python3) ;;
     validator) command -v npm > /dev/null || wanted+=(nodejs npm) # others than Debian's bring their own npm
                does_want_validator=yes ;;
-    *)     echo "usage: $0 [build|test|python|corpus|cluster|evaluation|sanitize|doc|figures|blender|validator]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|python|corpus|evaluation|sanitize|doc|figures|blender|validator]..." >&2; exit 2 ;;
   esac
 done
 

@@ -7,7 +7,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 "$root/scripts/install_dependencies.sh" build evaluation
-programs=(unwrap pipeline compare_detectors make_triangulations make_sizes connect_random_terminals)
+programs=(unwrap compare_detectors make_triangulations make_sizes connect_random_terminals)
 if ! (cd "$root/build/bin" && ls "${programs[@]}") > /dev/null 2>&1; then
   "$root/scripts/build.sh" --target "${programs[@]}"
 fi

@@ -1,9 +1,7 @@
 // The paper's comparison of methods (Section 4.3): on each mesh, ten sets of random terminals of each size from four to
-// ten. Prints CSV, one line per set, and a summary on standard error. cumulative_ratios.gnuplot draws the
-// cumulative distributions of the ratios as in the paper's Figure 18.
+// ten. Prints CSV, one line per set, and a summary on standard error.
 //
 //   connect_random_terminals [--decrease EPSILON] FOLDER MESH... > ratios.csv
-//   gnuplot cumulative_ratios.gnuplot
 //
 // EPSILON is the least decrease, in diagonals of the bounding box, for which the greedy method adds a point; default: 0.01,
 // the value of the paper's Table 1.

@@ -25,13 +25,12 @@ struct Pipeline_options
   using Conformal_solver = CGAL::Surface_mesh_cutting::Conformal_solver;
 
   std::vector<std::filesystem::path> files;
-  bool is_faithful = false, is_bijective = false, measures_cold_map = false;
+  bool is_faithful = false, is_bijective = false;
   Effort effort = Effort::DEFAULT;
   std::optional<Connection> connection;
   std::optional<Conformal_solver> conformal_solver;
   std::optional<int> coarse_number_of_faces;
   double maximum_average_distortion = std::numeric_limits<double>::infinity();
-  std::string solver = "supernodal", baseline;
   int threads = 1, seeds = 1, repetitions = 3;
 
   // The library's defaults for what was not said.
@@ -69,8 +68,6 @@ inline Pipeline_options read_pipeline_options(const std::vector<std::string>& wo
       options.is_faithful = true;
     else if(word == "--bijective")
       options.is_bijective = true;
-    else if(word == "--cold-map")
-      options.measures_cold_map = true;
     else if(word == "--effort")
       options.effort = efforts.at(value());
     else if(word == "--connect")
@@ -81,16 +78,12 @@ inline Pipeline_options read_pipeline_options(const std::vector<std::string>& wo
       options.coarse_number_of_faces = std::stoi(value());
     else if(word == "--max-distortion")
       options.maximum_average_distortion = std::stod(value());
-    else if(word == "--solver")
-      options.solver = value();
     else if(word == "--threads")
       options.threads = (std::max)(1, std::stoi(value()));
     else if(word == "--seeds")
       options.seeds = (std::max)(1, std::stoi(value()));
     else if(word == "--repetitions")
       options.repetitions = (std::max)(1, std::stoi(value()));
-    else if(word == "--baseline")
-      options.baseline = value();
     else
       throw std::runtime_error("unknown option " + word);
   }

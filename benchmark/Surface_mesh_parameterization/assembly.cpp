@@ -11,9 +11,6 @@
 
 #include <CGAL/Eigen_solver_traits.h>
 
-#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-#include <Eigen/CholmodSupport>
-#endif
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -89,10 +86,6 @@ void measure_all(const char* energy, const Layout& layout)
   measure<Energy>(energy, "supernodal", default_solvers(), layout);
   using Simplicial = Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Upper>;
   measure<Energy>(energy, "SimplicialLDLT", make_solvers(CGAL::Eigen_solver_traits<Simplicial>()), layout);
-#ifdef CGAL_SURFACE_MESH_CUTTING_WITH_CHOLMOD
-  using Cholmod = Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Upper>;
-  measure<Energy>(energy, "CHOLMOD", make_solvers(CGAL::Eigen_solver_traits<Cholmod>()), layout);
-#endif
 }
 
 int main(int argc, char** argv)

@@ -6,7 +6,7 @@ usage: vary_constants.py [--meshes FOLDER] [--build FOLDER] [--only REGEX] [--re
 
 Builds the benchmark programs once against headers whose constants can be varied (varied_headers.py), runs those
 that read the constant, and adds a line for each constant and factor to BUILD/results.csv. Lines that are there are
-not measured again. --table prints these as the table of README.md."""
+not measured again. --table prints all constants with these."""
 
 import argparse
 import collections
@@ -220,6 +220,8 @@ def vary(constants, arguments, path):
 
 def effect(result):
     """As a cell of the table."""
+    if result is None:
+        return "not measured"
     if int(result["runs"]) == 0:
         return "not read"
     time = float(result["time"])
@@ -238,7 +240,7 @@ def print_table(constants, results):
         print(f"`CGAL/{package}`\n\n| file | constant | value | unit | reason | halved | doubled |\n"
               "|---|---|---|---|---|---|---|")
         for c in group:
-            effects = [effect(results[c["constant"], factor]) if c["runs"] else "not varied" for factor in FACTORS]
+            effects = [effect(results.get((c["constant"], factor))) if c["runs"] else "not varied" for factor in FACTORS]
             form = f" ({c['form']})" if c["form"] in ("excess", "power") else ""
             print("|", " | ".join([f"`{c['file'].split('/')[-1]}`", c["constant"] + form, varied_headers.value(c),
                                    c["unit"], c["reason"], *effects]), "|")

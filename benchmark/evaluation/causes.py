@@ -94,8 +94,6 @@ def explain(setting, claims):
         "largest mean energy of a result": largest_reason,
         "the greedy connection often finds": share_reason,
         "mean ratio of the greedy connection": ratio_reason,
-        "spherical maps that are not bijective": lambda setting:
-            "the rival is a reimplementation, which smooths flips until an exact test finds none",
         "L is similar for all triangulations": triangulation_reason,
         "E is similar for all triangulations": triangulation_reason}
     for claim in claims:

@@ -4,14 +4,12 @@
 //
 //   compare_detectors [--detectors NAME,...] [--connect NAME,...] MESH...
 //
-// Detectors: seamster, geometry_image, sphere (the rivals), candidates (ours before filtering),
-// faithful (the paper's), ours (the package's default).
+// Detectors: seamster (the rival), candidates (ours before filtering), faithful (the paper's), ours (the
+// package's default).
 // Connections: mst, sph, greedy (by the minimum spanning tree), greedy_sph (by the shortest path
 // heuristic), best. Default: all detectors, best.
 
-#include "geometry_image.h"
 #include "seamster.h"
-#include "sphere_clustering.h"
 #include "Surface.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -33,8 +31,7 @@
 
 namespace Steiner = CGAL::internal::Steiner_tree;
 
-const std::vector<std::string> all_detectors
-  = {"seamster", "geometry_image", "sphere", "candidates", "faithful", "ours"};
+const std::vector<std::string> all_detectors = {"seamster", "candidates", "faithful", "ours"};
 const std::map<std::string, Steiner::Method> connections = {
   {"mst", Steiner::Method::metric_closure},
   {"sph", Steiner::Method::shortest_path_heuristic},
@@ -108,11 +105,9 @@ Detection detect_by_package(const Mesh& mesh, bool is_faithful)
 Detection detect(const std::string& detector, const Mesh& mesh, const Surface& surface)
 {
   const double start = cpu_seconds();
-  Detection detection = detector == "seamster"       ? Seamster(surface)()
-                      : detector == "geometry_image" ? Geometry_image(surface)()
-                      : detector == "sphere"         ? Sphere_clustering(surface)()
-                      : detector == "candidates"     ? candidates(surface)
-                                                     : detect_by_package(mesh, detector == "faithful");
+  Detection detection = detector == "seamster"   ? Seamster(surface)()
+                      : detector == "candidates" ? candidates(surface)
+                                                 : detect_by_package(mesh, detector == "faithful");
   detection.seconds = cpu_seconds() - start - detection.filter_seconds;
   if(detection.failure.empty() && detection.features.empty())
     detection.failure = "no features";

@@ -1,14 +1,12 @@
-"""Figures 16, 18 and 21: other detectors, other Steiner trees, another cutter."""
+"""Figures 16 and 18: other detectors, other Steiner trees."""
 
-import csv
-import math
 import statistics
 
 from measuring import Claim, mean, report, rows
-from paper import LONGER_THAN_OPTCUTS, MEAN_TREE_RATIO, SHORTEST_TREES, SPHERICAL_FAILURES, TIMES_FASTER
+from paper import MEAN_TREE_RATIO, SHORTEST_TREES
 from plots import cumulative, histogram, write_plot
 
-RIVALS = ["seamster", "geometry_image", "sphere"]
+RIVALS = ["seamster"]
 DETECTORS = [*RIVALS, "ours"]
 
 
@@ -30,13 +28,7 @@ def detector_table(setting, outcomes):
                 for name, found in done.items()])
     setting.rivals = {name: done[name] for name in RIVALS}
     setting.values["largest_default_energy"] = max((row["E"] for row in done["ours"].values()), default=0.)
-    claims = [claim for rival in RIVALS for claim in rival_claims(rival, done[rival], done["ours"])]
-    spherical = [row for row in table if row["detector"] == "sphere"]
-    failed = sum("spherical map" in row["status"] for row in spherical)
-    if spherical:
-        claims.append(Claim("Section 4.2", "spherical maps that are not bijective", f"{100 * SPHERICAL_FAILURES:.1f} %",
-                            f"{100 * failed / len(spherical):.1f} % ({failed})", failed > 0))
-    return claims
+    return [claim for rival in RIVALS for claim in rival_claims(rival, done[rival], done["ours"])]
 
 
 def statistic(name, found):
@@ -114,48 +106,3 @@ def steiner_table(setting, outcomes):
               ours <= MEAN_TREE_RATIO + 0.002),
         Claim("Figure 18", "greedy is shorter than MST and SPH on average", "shorter", f"{ours:.4f}; {others}",
               ours < min(mean(ratios["mst"]), mean(ratios["sph"])))]
-
-
-def read_rival(file):
-    """Lines `mesh,seconds,length,energy` of another cutter: length in diagonals, energy its bound or result."""
-    with open(file, encoding="utf-8") as lines:
-        return {row["mesh"]: {key: float(row[key]) for key in ("seconds", "length", "energy")}
-                for row in csv.DictReader(lines)}
-
-
-def rival_commands(setting):
-    """As in the paper, both make bijective maps of the same energy."""
-    if not setting.extra:
-        return {}
-    known = read_rival(setting.extra)
-    return {("rival", mesh): setting.unwrap(mesh, "--bijective", "--max-distortion", known[mesh.name]["energy"])
-            for mesh in setting.closed if mesh.name in known}
-
-
-def rival_table(setting, outcomes):
-    known = read_rival(setting.extra) if setting.extra else {}
-    table = []
-    for (_, mesh), outcome in outcomes.items():
-        r, rival = report(outcome), known[mesh.name]
-        if r:
-            seconds = r["cpu_seconds"]["total"]
-            table.append({"mesh": mesh.name, "faces": r["faces"], "E": r["E_iso"], "L": r["cut_length"],
-                          "seconds": seconds, "rival_E": rival["energy"], "rival_L": rival["length"],
-                          "rival_seconds": rival["seconds"], "time_ratio": rival["seconds"] / seconds,
-                          "length_ratio": rival["length"] / r["cut_length"]})
-    setting.write_table("figure_21_other_cutter", table)
-    if not table:
-        return [Claim("Figure 21", "faster than OptCuts, with shorter cuts", f"about {TIMES_FASTER} times", "", None)]
-    times, lengths = ([row[column] for row in table] for column in ("time_ratio", "length_ratio"))
-    write_plot(setting.output, "figure_21_other_cutter",
-               "set xlabel 'ln(other / ours)'; set ylabel 'share of the meshes'",
-               [(name, histogram([math.log(value) for value in values], -2., 8., 20), "linespoints")
-                for name, values in (("time", times), ("length", lengths))])
-    longer = sum(ratio < 1 for ratio in lengths) / len(lengths)
-    return [
-        Claim("Figure 21", "times as fast as the other cutter, on average", f"about {TIMES_FASTER}",
-              f"{mean(times):.1f} on {len(table)} meshes", mean(times) >= TIMES_FASTER),
-        Claim("Figure 21", "shorter cuts than the other cutter on average (its length / ours)", "more than 1",
-              f"{mean(lengths):.3f}", mean(lengths) > 1),
-        Claim("Section 5", "share of meshes with longer cuts than the other cutter's",
-              f"{100 * LONGER_THAN_OPTCUTS:.1f} %", f"{100 * longer:.1f} %", longer <= LONGER_THAN_OPTCUTS)]

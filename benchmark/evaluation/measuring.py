@@ -26,10 +26,9 @@ class Claim:
 class Setting:
     """The programs, the meshes and where results go."""
 
-    def __init__(self, programs, output, extra):
-        self.programs, self.output, self.extra = pathlib.Path(programs), pathlib.Path(output), extra
+    def __init__(self, programs, output):
+        self.programs, self.output = pathlib.Path(programs), pathlib.Path(output)
         self.closed = []  # paths of the closed connected meshes of genus 0, from small to large
-        self.blas = None  # a folder with another BLAS
         self.values = {}  # numbers that the manual quotes
         self.stages = []  # lines of Table 3
         self.thresholds = []  # lines of cause_threshold.csv
@@ -44,7 +43,7 @@ class Setting:
         name = "_".join([mesh.name, *map(str, options)]).replace("/", "_")
         return [self.programs / "unwrap", mesh, "-o", scratch / f"{name}.obj", "--json", "-", "--quiet",
                 "--threads", "1", "--uv-scale", "surface",
-                *([] if "--bijective" in options else ["--allow-overlap"]), *options]
+                "--allow-overlap", *options]
 
     def detectors(self, mesh, detectors, connections):
         return [self.programs / "compare_detectors", "--detectors", detectors, "--connect", connections, mesh]

@@ -1,10 +1,6 @@
 """The paper's own numbers: T. Zhu, C. Ye, S. Chai, X.-M. Fu, Greedy Cut Construction for
 Parameterizations, Computer Graphics Forum 39(2), 2020."""
 
-# Table 2: vertices; seconds of OptCuts with Eigen and Pardiso, and of the paper's method with both.
-SOLVERS = [("Swallow", 10000, 162, 228, 10.64, 8.95), ("Toy", 13000, 225, 337, 10.21, 8.86),
-           ("Plane", 15000, 113, 143, 12.67, 11.20), ("Elephant", 50000, 3578, 3501, 138.62, 117.32)]
-
 # Table 3: mesh; triangles (in fact vertices); features, length and energy before and after filtering;
 # auxiliary points, length and energy of the result; seconds for candidates, filtering, connection, all.
 STAGES = [
@@ -53,11 +49,8 @@ TRIANGULATIONS = {"source": "Bunny (a)", "sparse": "Bunny (b)", "dense": "Bunny 
 UNEVEN = ("Head", "Oni", "Buddha (13)")  # Figure 13
 
 LARGEST_ENERGY = 4.888            # over the data set (Section 5)
-SPHERICAL_FAILURES = 203 / 3757   # Section 4.2
 SHORTEST_TREES = 0.4577           # share of exact results (Section 4.3)
 MEAN_TREE_RATIO = 1.0017          # abstract
-LONGER_THAN_OPTCUTS = 0.212       # share (Section 5)
-TIMES_FASTER = 10                 # "one order of magnitude"
 
 
 def stages():

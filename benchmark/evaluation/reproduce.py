@@ -24,7 +24,6 @@ import comparisons
 import stages
 import sweeps
 from measuring import Setting
-from page import write_page
 from pieces import Pieces
 
 BENCHMARK = pathlib.Path(__file__).resolve().parent.parent
@@ -44,8 +43,6 @@ EXPERIMENTS = {
     "sweeps": (sweeps.sweep_commands, sweeps.sweep_tables),
     "triangulations": (sweeps.triangulation_commands, sweeps.triangulation_table),
     "steiner": (comparisons.steiner_commands, comparisons.steiner_table),
-    "other_cutter": (comparisons.rival_commands, comparisons.rival_table),
-    "solvers": (stages.solver_commands, stages.solver_table),
     "causes": (causes.cause_commands, causes.cause_table),  # after the stages
 }
 
@@ -112,7 +109,6 @@ def write_summary(setting, claims, pieces, number_of_meshes):
     lines += [f"| {' | '.join(cells(claim))} |" for claim in claims]
     text = "\n".join(lines) + "\n"
     (setting.output / "summary.md").write_text(text, encoding="utf-8")
-    write_page(setting.output, claims)
     print(text)
 
 
@@ -130,17 +126,11 @@ def main():
                         help="leave larger meshes out of the comparisons; default: %(default)s")
     parser.add_argument("--smallest", type=int, default=1000, metavar="FACES",
                         help="leave smaller meshes out of the comparisons: the paper's have 26,000 on average; default: %(default)s")
-    parser.add_argument("--blas", type=pathlib.Path, metavar="FOLDER",
-                        help="of another libblas.so.3, such as OpenBLAS, with which CHOLMOD runs, too")
     parser.add_argument("--store", action="store_true",
                         help="among the results of benchmark/results, if no run is left")
-    parser.add_argument("--other-cutter", metavar="CSV",
-                        help="figures of another cutter, such as OptCuts: mesh,seconds,length,energy with one line "
-                             "per mesh; lengths in diagonals of the bounding box")
     arguments = parser.parse_args()
     start = time.monotonic()
-    setting = Setting(arguments.programs, arguments.output.resolve(), arguments.other_cutter)
-    setting.blas = arguments.blas and arguments.blas.resolve()
+    setting = Setting(arguments.programs, arguments.output.resolve())
     pieces = Pieces(setting.output / "pieces", arguments.jobs, arguments.time_limit, arguments.minutes)
     number_of_meshes = survey(setting, pieces, arguments.meshes, arguments.smallest, arguments.largest)
     chosen = [name for name in EXPERIMENTS if setting.closed and name in (arguments.only or EXPERIMENTS)]

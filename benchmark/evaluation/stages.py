@@ -1,61 +1,8 @@
-"""Tables 2 and 3, Figure 14: the paper's method to the letter, stage by stage."""
+"""Table 3, Figure 14: the paper's method to the letter, stage by stage."""
 
-from measuring import Claim, mean, report, rows
-from paper import LARGEST_ENERGY, SOLVERS, STAGE_COLUMNS, stages
+from measuring import Claim, mean, rows
+from paper import LARGEST_ENERGY, STAGE_COLUMNS, stages
 from plots import write_plot
-
-
-SOLVERS_HERE = ("eigen", "cholmod", "supernodal")  # Eigen's SimplicialLDLT, CHOLMOD, and the package's own factorization
-
-
-def solver_commands(setting):
-    """Four meshes between small and large; those of the paper are not published with it."""
-    meshes = setting.closed
-    chosen = [meshes[i * (len(meshes) - 1) // 3] for i in range(4)] if len(meshes) >= 4 else meshes
-
-    def command(mesh, solver):
-        return [setting.programs / "pipeline", mesh, "--faithful", "--solver", solver, "--repetitions", "1"]
-    commands = {("solver", mesh, solver): command(mesh, solver) for mesh in dict.fromkeys(chosen) for solver in SOLVERS_HERE}
-    if setting.blas:
-        commands |= {("solver", mesh, "other BLAS"): ["env", f"LD_LIBRARY_PATH={setting.blas}", *command(mesh, "cholmod")]
-                     for mesh in dict.fromkeys(chosen)}
-    return commands
-
-
-def solver_row(mesh, outcomes):
-    """A line of Table 2; None if a run failed."""
-    found = {solver: lines[0] for (_, other, solver), outcome in outcomes.items()
-             if other == mesh and (lines := rows(outcome)) and lines[0]["status"] == "done"}
-    if not found.keys() >= set(SOLVERS_HERE):
-        return None
-    seconds = {solver: line["total_s"] for solver, line in found.items()}
-    return {"mesh": mesh.name, "triangles": int(found["supernodal"]["triangles"]), "simplicial_s": seconds["eigen"],
-            "supernodal_s": seconds["cholmod"], "other_blas_s": seconds.get("other BLAS", ""), "own_s": seconds["supernodal"],
-            "ratio": seconds["eigen"] / seconds["cholmod"]}
-
-
-def solver_table(setting, outcomes):
-    table = list(filter(None, (solver_row(mesh, outcomes) for mesh in dict.fromkeys(mesh for _, mesh, _ in outcomes))))
-    papers = [{"mesh": f"paper: {name}", "triangles": 2 * n, "simplicial_s": eigen, "supernodal_s": pardiso,
-               "other_blas_s": "", "own_s": "", "ratio": round(eigen / pardiso, 3)}
-              for name, n, _, _, eigen, pardiso in SOLVERS]
-    setting.write_table("table_2_solvers", table + papers)
-    paper, ours = mean(row["ratio"] for row in papers), mean(row["ratio"] for row in table)
-    return [Claim("Table 2", "a supernodal solver (paper: Pardiso, here: CHOLMOD) is slightly faster than Eigen's SimplicialLDLT",
-                  f"Eigen takes {paper:.2f} times as long", f"{ours:.2f} times" if table else "",
-                  ours > 1 if table else None, solver_reason(table))]
-
-
-def solver_reason(table):
-    if not table:
-        return ""
-    last = table[-1]
-    text = (f"CHOLMOD is not Pardiso: on {last['triangles']:,} triangles, CHOLMOD takes {last['supernodal_s']:.1f} s with the BLAS that "
-            "is installed, ")
-    if last["other_blas_s"]:
-        text += f"{last['other_blas_s']:.1f} s with another one, "
-    return text + (f"SimplicialLDLT {last['simplicial_s']:.1f} s, and the package's own supernodal factorization, the default, "
-                   f"{last['own_s']:.1f} s")
 
 
 def stage_commands(setting):

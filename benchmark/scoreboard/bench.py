@@ -66,7 +66,7 @@ class Bench:
         again. Where times count, one run at a time."""
         results = self.folder / f"runs_{repetition}.jsonl"
         options = ["--threads", "1", *map(str, words)] if "--threads" not in words else list(map(str, words))
-        arguments = argparse.Namespace(program=self.program("unwrap"), results=results, jobs=jobs, judge=None,
+        arguments = argparse.Namespace(program=self.program("unwrap"), results=results, jobs=jobs, judge=None, sshlogin=None, part="0/1",
                                        time_limit=time_limit, memory_limit=0, options=options,
                                        meshes=list(map(str, meshes)), largest=float("inf"))
         left = run_corpus.to_do(arguments)

@@ -3,8 +3,8 @@
 usage: compiled_checks.py SOURCE_FOLDER CHECK COMPILER [OPTION...]
 
 named_parameters       each documented named parameter compiles
-package_dependencies   package_info/.../dependencies is what the headers include
-write_dependencies     writes that file
+package_dependencies   each package_info/.../dependencies is what the headers of the package include
+write_dependencies     writes these files
 varied_constants       the headers compile whose tuned constants are not constant expressions
 """
 
@@ -43,28 +43,26 @@ def package_of(root, header):
 
 
 def computed_dependencies(root, command):
-    own = sorted(root.glob("include/CGAL/Surface_mesh_cutting/**/*.h"))
-    source = "".join(f"#include <{path.relative_to(root / 'include')}>\n" for path in own)
-    words = compile_source(source, command, "-M").replace("\\\n", " ")
-    included = re.findall(r"((?:\\ |\S)+)", words)[1:]
-    included = {Path(name.replace("\\ ", " ")).resolve() for name in included}
-    return sorted({package_of(root, path) for path in included if "CGAL" in path.parts})
+    """for each file of dependencies, what it has to hold"""
+    for folder in "Surface_mesh_cutting", "Surface_mesh_parameterization", "boost/graph":
+        own = sorted((root / "include/CGAL" / folder).rglob("*.h"))
+        source = "".join(f"#include <{path.relative_to(root / 'include')}>\n" for path in own)
+        words = compile_source(source, command, "-M").replace("\\\n", " ")
+        included = re.findall(r"((?:\\ |\S)+)", words)[1:]
+        included = {Path(name.replace("\\ ", " ")).resolve() for name in included}
+        packages = sorted({package_of(root, path) for path in included if "CGAL" in path.parts})
+        yield root / "package_info" / package_of(root, own[0]) / "dependencies", "\n".join(packages) + "\n"
 
 
 def package_dependencies(root, command):
-    file = root / "package_info/Surface_mesh_cutting/dependencies"
-    written = file.read_text().splitlines()
-    computed = computed_dependencies(root, command)
-    if written != computed:
-        print("missing:", *sorted(set(computed) - set(written)))
-        print("not needed:", *sorted(set(written) - set(computed)))
-        sys.exit("package_info/Surface_mesh_cutting/dependencies is not the sorted list: "
-                 "run the target write_dependencies")
+    wrong = [file for file, computed in computed_dependencies(root, command) if file.read_text() != computed]
+    if wrong:
+        sys.exit(f"{', '.join(map(str, wrong))}: not the sorted list, run the target write_dependencies")
 
 
 def write_dependencies(root, command):
-    file = root / "package_info/Surface_mesh_cutting/dependencies"
-    file.write_text("\n".join(computed_dependencies(root, command)) + "\n")
+    for file, computed in computed_dependencies(root, command):
+        file.write_text(computed)
 
 
 def varied_constants(root, command):

@@ -1,6 +1,7 @@
 """The runner of corpora: every way to end has its class, and what is finished is not run again."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -76,6 +77,27 @@ class Corpus(Case):
         self.assertEqual(table.splitlines()[1].split()[:4], ["(none)", "3", "2", "1"])
         table = run("meshes", "--options", "--effort fast")
         self.assertEqual(len(table.splitlines()), 5)  # heading, two sets of options, two refusals
+
+    @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")
+    def test_parts(self):
+        """As two tasks of Slurm, and through what would be ssh to other machines."""
+        self.run_script("run_corpus.py", PROGRAM, "results", "meshes", "--sshlogin", "1/:,:")
+        for part in range(2):
+            subprocess.run([FOLDER / "run_corpus.sbatch", FOLDER / "run_corpus.py", PROGRAM, "parts", "meshes"],
+                           cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True,
+                           env={**os.environ, "SLURM_ARRAY_TASK_ID": str(part), "SLURM_ARRAY_TASK_COUNT": "2"})
+        parts = [[json.loads(line) for line in (self.folder / f"parts/{part}.jsonl").read_text().splitlines()]
+                 for part in range(2)]
+        self.assertEqual([len(records) for records in parts], [2, 1])
+        results = lambda records: sorted((record["mesh"], record["outcome"], record["digest"] or "") for record in records)
+        self.assertEqual(results(parts[0] + parts[1]), results(self.records()))
+
+    def test_variants(self):
+        for folder in "once", "again":
+            self.run_script("make_variants.py", folder, 6, "meshes/a mesh.off", "--kinds", "plain,soup,polygons")
+        once, again = ([path.read_bytes() for path in sorted((self.folder / name).iterdir())] for name in ("once", "again"))
+        self.assertEqual(once, again)
+        self.assertEqual(len(set(once)), 6)
 
 
 main()

@@ -14,7 +14,7 @@ from driver import Claim, run  # noqa: E402
 from make_plate import plate  # noqa: E402
 from meshes import FIGURES, HANDLES  # noqa: E402
 from off_files import write_off  # noqa: E402
-from sizes import measure_factorization, measure_sizes, measure_solvers  # noqa: E402
+from sizes import measure_factorization, measure_sizes  # noqa: E402
 
 
 def measure_rivals(bench):
@@ -136,9 +136,6 @@ CLAIMS = [
     Claim("factorization", 3,
           "A whole run on {triangles:,} triangles takes {ratio:.2f} times as long as one numeric factorization of its last system by "
           "Eigen's SimplicialLDLT, and {own_ratio:.1f} times as long as one by the package's own", measure_factorization, is_long=True),
-    Claim("solvers", 1.5,
-          "With CHOLMOD, runs take {small_ratio:.2f} times as long as with the package's own factorization at {small_triangles:,} "
-          "triangles, and {large_ratio:.2f} times at {large_triangles:,}", measure_solvers, is_long=True),
     Claim("threads", 1, "The same bytes with one and two threads on {surfaces} surfaces; two are {speedup:.2f} times as fast",
           measure_threads),
     Claim("handles", 0.5, "A surface with {most} handles and {triangles:,} triangles takes {seconds:.1f} s", measure_handles),

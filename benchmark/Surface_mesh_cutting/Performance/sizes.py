@@ -2,13 +2,13 @@
 
 import csv
 import json
+import math
 import pathlib
 import shutil
 import statistics
 import subprocess
 
 from bench import PUBLISHED, Measured, cut_seconds, total_seconds
-from phases import exponent
 
 SIZES = [2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000]
 FAST = ["--effort", "fast", *PUBLISHED]
@@ -27,7 +27,9 @@ def shapes(bench):
 
 
 def fitted_exponent(triangles, seconds):
-    return exponent([point for point in zip(triangles, seconds) if point[0] >= 0.99 * FITTED])
+    """The slope of the line through the logarithms."""
+    points = [point for point in zip(triangles, seconds) if point[0] >= 0.99 * FITTED]
+    return statistics.linear_regression(*([math.log(value) for value in column] for column in zip(*points))).slope
 
 
 def measure_sizes(bench):
@@ -69,16 +71,3 @@ def measure_factorization(bench):
     return Measured({"triangles": int(rows[0]["triangles"]), "seconds": total, "own_seconds": seconds["supernodal"],
                      "simplicial_seconds": seconds["SimplicialLDLT"], "ratio": total / seconds["SimplicialLDLT"],
                      "own_ratio": total / seconds["supernodal"]})
-
-
-def measure_solvers(bench):
-    """The same method with the two linear solvers, at two sizes."""
-    small, large = (shapes(bench)[SIZES.index(size)] for size in (20000, 200000))
-    values = {}
-    for name, mesh in ("small", small), ("large", large):
-        seconds = {solver: statistics.median(
-            total_seconds(bench.reports([mesh], *FAST, "--solver", solver, repetition=i)[0]) for i in range(3))
-            for solver in ("supernodal", "cholmod")}
-        values |= {f"{name}_triangles": bench.reports([mesh], *FAST, "--solver", "supernodal")[0]["faces"],
-                   f"{name}_ratio": seconds["cholmod"] / seconds["supernodal"]}
-    return Measured(values)

@@ -14,28 +14,17 @@ from bench import Measured  # noqa: E402
 from driver import Claim, run  # noqa: E402
 from meshes import CLOSED  # noqa: E402
 from ramp import write_ramp  # noqa: E402
+from run_corpus import meshes_in  # noqa: E402
 
 VARIANTS = 1000
 LIMIT = 60  # seconds, of the program itself: then it writes the best result so far
-OPTIONS = f"--threads 1 --effort fast --time-limit {LIMIT}"
-CAMPAIGN = HERE / "campaign"
+OPTIONS = ["--effort", "fast", "--time-limit", LIMIT]
 ACCEPTED = ("certified", "refused", "stopped")
 
 
-def script(name, *words, **keywords):
-    return subprocess.run([sys.executable, "-B", CAMPAIGN / name, *map(str, words)], check=True, **keywords)
-
-
-def run_campaign(bench, name, meshes):
-    """The records of a campaign, which goes on where a former call was interrupted."""
-    folder = bench.folder / name
-    if not (folder / "campaign.json").exists():
-        script("campaign.py", "create", folder, bench.program("unwrap"), meshes, "--shards", 50, "--options", OPTIONS,
-               "--time-limit", 300, stdout=subprocess.DEVNULL)
-    subprocess.run([CAMPAIGN / "run_with_parallel.sh", folder, str(bench.options.jobs)], check=True)
-    sys.path.insert(0, str(CAMPAIGN))
-    from campaign import Campaign  # imports what only campaigns need
-    return Campaign(folder).records()
+def run_all(bench, meshes):
+    """The records of all meshes in a folder; a call that was interrupted goes on where it was."""
+    return bench.records(list(meshes_in([meshes])), *OPTIONS, jobs=bench.options.jobs, time_limit=300)
 
 
 def outcomes(records):
@@ -64,19 +53,20 @@ def measured(records, name):
 
 
 def measure_data_set(bench):
-    return measured(run_campaign(bench, "data_set", bench.options.meshes), "CGAL's data set")
+    return measured(run_all(bench, bench.options.meshes), "CGAL's data set")
 
 
 def measure_variants(bench):
     """Stretched and bent, a third of them as soups and a third with polygons."""
     folder = bench.folder / "meshes"
     if not folder.exists():
-        script("make_variants.py", folder, VARIANTS, bench.options.meshes, "--kinds", "plain,soup,polygons", "--largest", 3000)
-    return measured(run_campaign(bench, "variants", folder), f"{VARIANTS:,} variants")
+        subprocess.run([sys.executable, "-B", HERE / "corpus" / "make_variants.py", folder, str(VARIANTS), bench.options.meshes,
+                        "--kinds", "plain,soup,polygons", "--largest", "3000"], check=True)
+    return measured(run_all(bench, folder), f"{VARIANTS:,} variants")
 
 
 def measure_wild(bench):
-    return measured(run_campaign(bench, "wild", bench.given("wild")), "what users bring")
+    return measured(run_all(bench, bench.given("wild")), "what users bring")
 
 
 def measure_first_maps(bench):

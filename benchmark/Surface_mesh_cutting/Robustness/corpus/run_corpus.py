@@ -4,6 +4,9 @@
 Each mesh adds one line to RESULTS (see run_mesh.py). Meshes that have a line with the same options
 are not run again: an interrupted run goes on where it was, further meshes and options can be added.
 For the results of another program use another file.
+
+Other machines help over ssh (--sshlogin), if all see this folder, the program, the meshes and RESULTS at the same place;
+run_corpus.sbatch does the same with Slurm.
 """
 
 import argparse
@@ -38,13 +41,15 @@ def to_do(arguments):
     """What is not finished, the largest first: no long run is left for the end."""
     finished = {record["mesh"] for record in read_records(pathlib.Path(arguments.results))
                 if record["options"] == arguments.options}
-    meshes = dict.fromkeys(mesh for mesh in meshes_in(arguments.meshes)
+    part, number_of_parts = map(int, arguments.part.split("/"))
+    meshes = dict.fromkeys(mesh for mesh in list(meshes_in(arguments.meshes))[part::number_of_parts]
                            if size(mesh) <= arguments.largest and str(mesh) not in finished)
     return sorted(meshes, key=size, reverse=True)
 
 
 def run(arguments, meshes):
-    command = ["parallel", "--will-cite", "--quote", "--null", "--jobs", str(arguments.jobs), sys.executable, "-B",
+    hosts = ["--workdir", ".", "--sshlogin", arguments.sshlogin] if arguments.sshlogin else []
+    command = ["parallel", "--will-cite", "--quote", "--null", "--jobs", str(arguments.jobs), *hosts, sys.executable, "-B",
                str(RUN_MESH), "--results", arguments.results, "--time-limit", str(arguments.time_limit),
                "--memory-limit", str(arguments.memory_limit)]
     if arguments.judge:
@@ -67,6 +72,8 @@ def main():
                         help="leave larger files out")
     parser.add_argument("--judge", metavar="PROGRAM",
                         help="called with each mesh and its result; prints a JSON object")
+    parser.add_argument("--sshlogin", metavar="HOSTS", help="as GNU parallel reads it: names separated by commas")
+    parser.add_argument("--part", default="0/1", metavar="I/N", help="only each N-th mesh from the I-th on, which counts from 0")
     parser.add_argument("--options", default="", help="of unwrap, in one word; for example '--effort fast'")
     arguments = parser.parse_args()
     arguments.options = arguments.options.split()

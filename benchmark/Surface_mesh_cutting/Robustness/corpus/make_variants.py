@@ -14,10 +14,8 @@ import pathlib
 import random
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "corpus"))
-
-from off_files import write_off  # noqa: E402
-from run_corpus import meshes_in  # noqa: E402
+from off_files import write_off
+from run_corpus import meshes_in
 
 
 def read_off(file, largest):
