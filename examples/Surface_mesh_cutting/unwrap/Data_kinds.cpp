@@ -26,6 +26,7 @@ std::string name_of(Data_kind kind)
     case Data_kind::OTHER_UV_SETS: return "other sets of texture coordinates";
     case Data_kind::TANGENTS: return "tangents";
     case Data_kind::MORPH_TARGETS: return "morph targets";
+    case Data_kind::TANGENTS_OF_MORPH_TARGETS: return "tangents of morph targets";
     case Data_kind::SKINS: return "skins";
     case Data_kind::ANIMATIONS: return "animations";
     case Data_kind::CAMERAS: return "cameras";

@@ -84,8 +84,6 @@ public:
     if(m_soup.normals.empty())
       m_soup.corner_normals.clear();
     m_soup.kinds = gltf::kinds_of(m_document);
-    if(const std::string outdated = m_attributes.has_gltf_source ? gltf::list_outdated(m_document) : ""; !outdated.empty())
-      m_soup.warnings.push_back(outdated + " of the file stay as they are, but belong to its former texture coordinates");
     if(m_attributes.has_gltf_source)
       m_soup.gltf_source = m_source;
     return std::move(m_soup);
