@@ -70,6 +70,8 @@ Data_kinds kinds_of(const Document& document)
 {
   const Json& description = document.description();
   Data_kinds kinds;
+  if(document.has_unknown_chunks())
+    kinds.insert(Data_kind::UNKNOWN_CHUNKS);
   for(const std::string& name : names_of_attributes(description))
     kinds.merge(kinds_of_attribute(name));
   for_each_primitive(description, [&](const Json& primitive) { kinds.merge(kinds_of_primitive(description, primitive)); });

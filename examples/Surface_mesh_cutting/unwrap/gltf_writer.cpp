@@ -269,6 +269,7 @@ Data_kinds kinds_in_gltf(const Layout& layout, bool has_own_material, bool has_t
   Data_kinds kept = layout.kinds;
   if(has_tangents)
     kept.erase(Data_kind::TANGENTS_OF_MORPH_TARGETS); // they move the former ones
+  kept.erase(Data_kind::UNKNOWN_CHUNKS); // they may depend on what was changed
   if(layout.gltf_source)
     return kept;
   Data_kinds kinds = {Data_kind::NORMALS, Data_kind::GROUPS};
