@@ -246,9 +246,10 @@ Command_line parse_command_line(int argc, char** argv)
   }
   catch(const CLI::ParseError& error)
   {
+    const bool has_second_input = error.get_exit_code() == int(CLI::ExitCodes::ExtrasError);
     result.is_done = true;
     result.exit_code = int(Exit_code::USAGE);
-    result.message = error.what();
+    result.message = error.what() + std::string(has_second_input ? "; the output is named with -o" : "");
     options.json = find_json_file(argc, argv);
   }
   return result;
