@@ -45,7 +45,7 @@ VALUES = {
     "--threads": ["1", "2", "1024"], "--solver": ["supernodal", "eigen"], "--weld": ["auto", "on", "off"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
 }
 ODD_VALUES = ["", "nan", "inf", "-1", "4", "1e999", "4294967296", "none", "FAST", "x", "--svg", "-o", "0x10", " 1"]
-FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--strict",
+FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--strict", "--tangents",
          "--no-such-option"]
 PATIENCE = 20  # seconds, of a run on such small meshes
 

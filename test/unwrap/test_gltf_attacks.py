@@ -3,6 +3,7 @@
 import itertools
 import json
 import os
+import struct
 import time
 
 from gltf_files import Builder, File, glb
@@ -120,6 +121,42 @@ class Attacks(Case):
             message = self.assert_refused(3, "in.glb", "-o", "out.glb")["message"]
             self.assertIn(name, message)
             self.assertIn(advice, message)
+
+    def test_only_compressed(self):
+        """Where the extension is used but not required, plain data have to be there, too."""
+        file = builder(extensionsUsed=["KHR_draco_mesh_compression"])
+        primitive, = file.description["meshes"][0]["primitives"]
+        primitive["extensions"] = {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}
+        for accessor in file.description["accessors"]:
+            del accessor["bufferView"]
+        self.write("in.glb", file.glb())
+        for name in ("out.glb", "out.obj"):
+            message = self.assert_refused(3, "in.glb", "-o", name)["message"]
+            self.assertIn("KHR_draco_mesh_compression", message)
+            self.assertIn("gltf-transform copy", message)
+        file = builder(extensionsUsed=["EXT_meshopt_compression"])
+        fallback = {"byteLength": len(file.buffer), "extensions": {"EXT_meshopt_compression": {"fallback": True}}}
+        self.write("in.gltf", json.dumps(file.description | {"buffers": [fallback]}))
+        message = self.assert_refused(3, "in.gltf", "-o", "out.glb")["message"]
+        self.assertIn("EXT_meshopt_compression", message)
+        self.assertIn("gltfpack", message)
+
+    def test_chunks(self):
+        """Unknown ones do not matter; one that is longer than the file is told with its place."""
+        data = builder().glb()
+        second = 20 + struct.unpack_from("<I", data, 12)[0]
+        extra = struct.pack("<I4s", 8, b"WHAT") + b"12345678"
+        for at in (second, len(data)):
+            changed = data[:at] + extra + data[at:]
+            self.write("in.glb", changed[:8] + struct.pack("<I", len(changed)) + changed[12:])
+            for name in ("out.glb", "out.obj"):
+                exit_code, report = self.report("in.glb", "-o", name)
+                self.assertEqual((exit_code, report["faces"]), (0, len(TRIANGLES)), report["message"])
+                self.assertTrue(any("chunks of unknown kinds" in warning for warning in report["warnings"]))
+                (self.folder / name).unlink()
+        for length in (len(data), 2 ** 32 - 1):
+            self.write("in.glb", data[:second] + struct.pack("<I", length) + data[second + 4:])
+            self.assertIn(f"chunk at byte {second} ", self.assert_refused(3, "in.glb", "-o", "out.obj")["message"])
 
     def test_wrong_references(self):
         """Each number of the description in turn is another one; the program may refuse that, but must not fail."""

@@ -158,7 +158,7 @@ class Inputs(Case):
         painted = bytearray(to_binary_stl(SPHERE))
         painted[84 + 48] = 1
         self.write("a.stl", bytes(painted))
-        self.assertIn("other properties", " ".join(self.report("a.stl")[1]["warnings"]))
+        self.assertIn("attribute bytes (colors)", " ".join(self.report("a.stl")[1]["warnings"]))
         self.write("a.stl", to_binary_stl(SPHERE))
         self.assertEqual(self.report("a.stl")[1]["warnings"], [])
 

@@ -120,6 +120,8 @@ class By_others(Case):
         for options in ((), ("--texture", "check.png"), ("--uv-scale", "surface")):
             self.write_all(MIXED, *options)
             self.validate("out.glb")
+        self.report("in.obj", "-o", "out.glb", "--tangents")
+        self.validate("out.glb")
         self.write("plain.off", to_off(sphere(1)))
         self.report("plain.off", "-o", "out.glb")
         self.validate("out.glb")
@@ -131,8 +133,8 @@ class By_others(Case):
         """What was valid stays so, and is read by assimp, whose attributes have to be in order."""
         for name, content in (("full.glb", full().glb()), ("full.gltf", full().gltf())):
             self.write(name, content)
-            for out in ("edited.glb", "edited.gltf"):
-                self.report(name, "-o", out)
+            for out, *options in (("edited.glb",), ("edited.gltf",), ("edited.glb", "--tangents")):
+                self.report(name, "-o", out, *options)
                 if has_validator():
                     self.validate(name)
                     self.validate(out)

@@ -217,6 +217,11 @@ class Reading(Case):
         self.assert_refused(3, ".")
         self.assert_refused(3, "/dev/null")
 
+    def test_empty(self):
+        for ending in ("off", "obj", "ply", "stl", "glb", "gltf", "mesh"):
+            self.write(f"a.{ending}", "")
+            self.assertEqual(self.assert_refused(3, f"a.{ending}")["message"], "the file is empty")
+
     def test_messages_name_the_line(self):
         lines = to_off(SPHERE).splitlines()
         for number, text in ((3, "0 zero 0"), (10, "1 2"), (25, "3 0 1"), (30, "3 0 1 -2"), (2, "18 x")):

@@ -49,7 +49,9 @@ class Usage(Case):
 
     def test_near_misses(self):
         for wrong, meant in (("--maxdistortion", "--max-distortion"), ("--max_distortion", "--max-distortion"),
-                             ("--nevercut", "--never-cut"), ("--marign=4", "--margin"), ("--Quiet", "--quiet")):
+                             ("--nevercut", "--never-cut"), ("--marign=4", "--margin"), ("--Quiet", "--quiet"),
+                             ("-margin", "--margin"), ("-texture-size=4", "--texture-size"), ("--output-file", "--output"),
+                             ("--weld_tolerance", "--weld-tolerance"), ("--max", "--max-distortion")):
             message = self.assert_usage("sphere.off", wrong)["message"]
             self.assertIn(f"no option {wrong.split('=')[0]}; did you mean {meant}?", message)
         self.assertNotIn("did you mean", self.assert_usage("sphere.off", "--xyzzy")["message"])
@@ -66,7 +68,7 @@ class Usage(Case):
 
     def test_arguments(self):
         self.assert_usage()
-        self.assert_usage("sphere.off", "other.off")
+        self.assertIn("other.off; the output is named with -o", self.assert_usage("sphere.off", "other.off")["message"])
         self.assert_usage("sphere.off", "--no-such-option")
         self.assert_usage("sphere.off", "--seed")
         self.assert_usage("sphere.off", "--seed", "1", "--seed", "2")

@@ -23,14 +23,17 @@ std::string name_of(Data_kind kind)
     case Data_kind::DISPLAY_SETTINGS: return "display settings";
     case Data_kind::UNKNOWN_STATEMENTS: return "unknown statements";
     case Data_kind::OTHER_PROPERTIES: return "other properties and elements";
+    case Data_kind::ATTRIBUTE_BYTES: return "attribute bytes (colors)";
     case Data_kind::OTHER_UV_SETS: return "other sets of texture coordinates";
     case Data_kind::TANGENTS: return "tangents";
     case Data_kind::MORPH_TARGETS: return "morph targets";
+    case Data_kind::TANGENTS_OF_MORPH_TARGETS: return "tangents of morph targets";
     case Data_kind::SKINS: return "skins";
     case Data_kind::ANIMATIONS: return "animations";
     case Data_kind::CAMERAS: return "cameras";
     case Data_kind::POINTS_AND_LINES: return "points and lines";
     case Data_kind::EXTRAS: return "extras and extensions";
+    case Data_kind::UNKNOWN_CHUNKS: return "chunks of unknown kinds";
     case Data_kind::COMMENTS: return "comments";
   }
   return "";

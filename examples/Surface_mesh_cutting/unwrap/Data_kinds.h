@@ -26,14 +26,17 @@ enum class Data_kind
   DISPLAY_SETTINGS,
   UNKNOWN_STATEMENTS,
   OTHER_PROPERTIES, // of points and polygons, and elements of other kinds
+  ATTRIBUTE_BYTES,  // of STL, of which some programs make colors
   OTHER_UV_SETS,
   TANGENTS,
   MORPH_TARGETS,
+  TANGENTS_OF_MORPH_TARGETS,
   SKINS,
   ANIMATIONS,
   CAMERAS,
   POINTS_AND_LINES, // of glTF
   EXTRAS, // of glTF: what users and extensions say
+  UNKNOWN_CHUNKS, // of binary glTF
   COMMENTS
 };
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace gltf {
 
@@ -48,11 +49,19 @@ void check_required(const Json& description)
   }
 }
 
-// The first chunk is the description.
-Json read_binary(std::string_view bytes, std::optional<std::string>* chunk)
+bool is_binary(const std::string& bytes) { return bytes.compare(0, magic.size(), magic) == 0; }
+
+struct Chunk
+{
+  std::uint32_t kind;
+  std::string_view bytes;
+};
+
+constexpr std::uint32_t json_kind = 0x4e4f534a, binary_kind = 0x004e4942;
+
+std::vector<Chunk> chunks_of(std::string_view bytes)
 {
   constexpr std::size_t header = 12, chunk_header = 8;
-  constexpr std::uint32_t json = 0x4e4f534a, binary = 0x004e4942; // kinds of chunks
   const auto number = [&](std::size_t at) -> std::size_t
   {
     if(bytes.size() < at + 4)
@@ -64,19 +73,27 @@ Json read_binary(std::string_view bytes, std::optional<std::string>* chunk)
   if(number(8) > bytes.size())
     fail("damaged glTF: the file is cut off");
   bytes = bytes.substr(0, number(8));
-  Json description;
+  std::vector<Chunk> chunks;
   for(std::size_t at = header; at + chunk_header <= bytes.size();)
   {
-    const std::size_t size = number(at), kind = number(at + 4), begin = at + chunk_header;
+    const std::size_t size = number(at), begin = at + chunk_header;
     if(size > bytes.size() - begin)
-      fail("damaged glTF: the file is cut off");
-    if(at == header && kind == json)
-      description = parse(std::string(bytes.substr(begin, size)));
-    else if(kind == binary && chunk != nullptr && !*chunk)
-      *chunk = bytes.substr(begin, size);
+      fail("damaged glTF: the chunk at byte " + std::to_string(at) + " should have " + std::to_string(size)
+           + " bytes, but only " + std::to_string(bytes.size() - begin) + " follow");
+    chunks.push_back({std::uint32_t(number(at + 4)), bytes.substr(begin, size)});
     at = begin + size;
   }
-  return description;
+  return chunks;
+}
+
+// A buffer may stand for data that an extension has in another form.
+[[noreturn]] void fail_about_missing(const Json& buffer, const std::string& name)
+{
+  if(const Json* const extensions = find(buffer, "extensions"))
+    for(const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+      if(find(*extensions, extension) != nullptr)
+        fail_about_compression(name, extension);
+  fail("damaged glTF: " + name + " has no data");
 }
 
 } // namespace
@@ -91,8 +108,14 @@ bool is_about_looks(const std::string& extension)
 }
 
 Document::Document(const std::string& bytes, std::filesystem::path folder)
-  : m_folder(std::move(folder)), m_description(read_description(bytes, &m_chunk))
+  : m_folder(std::move(folder)), m_description(read_description(bytes))
 {
+  for(const Chunk& chunk : is_binary(bytes) ? chunks_of(bytes) : std::vector<Chunk>())
+  {
+    if(chunk.kind == binary_kind && !m_chunk)
+      m_chunk = chunk.bytes;
+    m_has_unknown_chunks = m_has_unknown_chunks || (chunk.kind != binary_kind && chunk.kind != json_kind);
+  }
   if(!m_description.is_object())
     fail("damaged glTF: its description is no object");
   check_version(m_description);
@@ -109,7 +132,7 @@ std::string_view Document::buffer(std::size_t index) const
   if(!is_chunk && found == m_buffers.end())
   {
     if(find(buffer, "uri") == nullptr)
-      fail("damaged glTF: " + name + " has no data");
+      fail_about_missing(buffer, name);
     found = m_buffers.emplace(index, read_uri(text_of(buffer, "uri"), m_folder, name)).first;
   }
   const std::string_view bytes = is_chunk ? *m_chunk : found->second;
@@ -134,14 +157,25 @@ void Document::read_all() const
     view(i);
 }
 
-Json read_description(const std::string& bytes, std::optional<std::string>* chunk)
+Json read_description(const std::string& bytes)
 {
-  return bytes.compare(0, magic.size(), magic) == 0 ? read_binary(bytes, chunk) : parse(bytes);
+  if(!is_binary(bytes))
+    return parse(bytes);
+  const std::vector<Chunk> chunks = chunks_of(bytes);
+  return chunks.empty() || chunks.front().kind != json_kind ? Json() : parse(std::string(chunks.front().bytes));
+}
+
+void fail_about_compression(const std::string& what, const std::string& extension)
+{
+  fail(what + " is there only as compressed by " + extension + advice(extension));
 }
 
 Document read_document(const std::string& path)
 {
-  return Document(read_bytes(path), "." / std::filesystem::path(path).parent_path());
+  const std::string bytes = read_bytes(path);
+  if(bytes.empty())
+    fail("the file is empty");
+  return Document(bytes, "." / std::filesystem::path(path).parent_path());
 }
 
 } // namespace gltf

@@ -24,6 +24,9 @@ public:
   const Json& description() const { return m_description; }
   const std::filesystem::path& folder() const { return m_folder; }
 
+  // Of a binary file. The standard says to ignore them.
+  bool has_unknown_chunks() const { return m_has_unknown_chunks; }
+
   // Valid as long as the document.
   std::string_view buffer(std::size_t index) const;
   std::string_view view(std::size_t index) const; // of a buffer
@@ -36,12 +39,16 @@ private:
   std::optional<std::string> m_chunk; // the buffer inside a binary file
   Json m_description;
   mutable std::map<std::size_t, std::string> m_buffers;
+  bool m_has_unknown_chunks = false;
 };
 
 Document read_document(const std::string& path);
 
-// The description alone, whatever it says. `chunk`, if not null, gets the buffer inside a binary file.
-Json read_description(const std::string& bytes, std::optional<std::string>* chunk = nullptr);
+// The description alone, whatever it says.
+Json read_description(const std::string& bytes);
+
+// Fails as data are there only in the form of this extension.
+[[noreturn]] void fail_about_compression(const std::string& what, const std::string& extension);
 
 // Whether what an extension says is only about looks, or about places in the scene: not about meshes, and without indices
 // of accessors and views.

@@ -26,7 +26,8 @@ void check_is_known(const CLI::App& app, const std::string& argument)
   for(const CLI::Option* const option : app.get_options([](const CLI::Option* other) { return other->nonpositional(); }))
     for(const std::string& long_name : option->get_lnames())
       names.push_back("--" + long_name);
-  refuse("there is no option " + name + suggestion(name, names));
+  const std::string whole = argument.substr(0, argument.find('='));
+  refuse("there is no option " + whole + suggestion(whole[1] == '-' ? whole : "-" + whole, names)); // -name may mean --name
 }
 
 } // namespace

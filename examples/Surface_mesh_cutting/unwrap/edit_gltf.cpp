@@ -3,19 +3,18 @@
 #include "Gltf_data.h"
 #include "Gltf_elements.h"
 #include "Gltf_source.h"
+#include "Split_vertices.h"
 #include "byte_order.h"
+#include "gltf_tangents.h"
 #include "gltf_uri.h"
 #include "gltf_writer.h"
 #include "stop_request.h"
-
-#include <boost/functional/hash.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -25,46 +24,19 @@ using gltf::Elements;
 using gltf::Json;
 using Primitive = Gltf_source::Primitive;
 
-constexpr const char* uv_attribute = "TEXCOORD_0";
+constexpr const char *uv_attribute = "TEXCOORD_0", *normal_attribute = "NORMAL", *tangent_attribute = "TANGENT";
 constexpr std::size_t triangles_mode = 4;
-
-// The vertices of primitives that have the same: first those of the file, then repeated ones, as each has one UV vertex.
-class Split_vertices
-{
-public:
-  explicit Split_vertices(std::size_t number) : uvs(number, -1) {}
-
-  int find(int vertex, int uv)
-  {
-    int& first = uvs[std::size_t(vertex)];
-    if(first < 0)
-      first = uv;
-    if(first == uv)
-      return vertex;
-    const auto inserted = m_repeated.emplace(std::make_pair(vertex, uv), int(uvs.size()));
-    if(inserted.second)
-    {
-      uvs.push_back(uv);
-      origins.push_back(std::size_t(vertex));
-    }
-    return inserted.first->second;
-  }
-
-  std::vector<int> uvs; // -1 where no triangle uses a vertex
-  std::vector<std::size_t> origins; // of the repeated ones
-
-private:
-  std::unordered_map<std::pair<int, int>, int, boost::hash<std::pair<int, int> > > m_repeated;
-};
 
 class Gltf_editor
 {
 public:
-  Gltf_editor(const Layout& layout, const std::string& png)
+  Gltf_editor(const Layout& layout, const std::string& png, bool has_new_tangents)
     : m_layout(layout), m_source(*layout.gltf_source), m_data(m_source.document)
   {
     if(!png.empty())
       add_material(png);
+    if(has_new_tangents)
+      m_tangents = gltf_tangents(layout);
   }
 
   gltf::Content run(const std::filesystem::path& folder)
@@ -94,18 +66,24 @@ private:
   void edit(const std::vector<const Primitive*>& members)
   {
     end_if_stop_is_requested();
+    Json attributes = json_of(*members.front())["attributes"], targets = gltf::list(json_of(*members.front()), "targets");
+    const std::optional<Elements> normals = normals_for_tangents(attributes);
     Split_vertices vertices(members.front()->number_of_vertices);
     std::vector<std::vector<int> > corners;
     for(const Primitive* primitive : members)
     {
       corners.emplace_back();
-      for(std::size_t c = 0; c < primitive->vertices.size(); ++c)
-        corners.back().push_back(vertices.find(primitive->vertices[c], m_layout.corner_uvs[primitive->first_corner + c]));
+      for(std::size_t c = primitive->first_corner; c < primitive->first_corner + primitive->vertices.size(); ++c)
+        corners.back().push_back(vertices.find(primitive->vertices[c - primitive->first_corner], m_layout.corner_uvs[c],
+                                               normals ? m_tangents[c] : Tangent{}));
     }
-    Json attributes = json_of(*members.front())["attributes"], targets = gltf::list(json_of(*members.front()), "targets");
-    const std::optional<std::size_t> former_uvs = gltf::find_number(attributes, uv_attribute);
-    repeat_attributes(attributes, targets, vertices, members.size());
-    attributes[uv_attribute] = put_uvs(former_uvs, vertices, members.size()); // at its place: some readers want it before others
+    if(normals)
+      for(Json& target : targets)
+        target.erase(tangent_attribute); // how the former one moves
+    repeat_attributes(attributes, targets, vertices, members.size(), normals.has_value());
+    put_uvs(vertices, members.size(), attributes);
+    if(normals)
+      put_tangents(vertices, *normals, members.size(), attributes);
     for(std::size_t i = 0; i < members.size(); ++i)
     {
       Json& json = json_of(*members[i]);
@@ -118,14 +96,22 @@ private:
     }
   }
 
+  // None unless tangents are computed.
+  std::optional<Elements> normals_for_tangents(const Json& attributes) const
+  {
+    const std::optional<std::size_t> accessor = gltf::find_number(attributes, normal_attribute);
+    return accessor && !m_tangents.empty() ? std::make_optional<Elements>(m_source.document, *accessor) : std::nullopt;
+  }
+
   // The number of an accessor to replace: itself unless others refer to it, too.
   std::optional<std::size_t> replaceable(std::size_t accessor, std::size_t uses) const
   {
     return m_data.number_of_uses(accessor) == uses ? std::make_optional(accessor) : std::nullopt;
   }
 
-  // `number_of_members`: how many primitives have these attributes.
-  void repeat_attributes(Json& attributes, Json& targets, const Split_vertices& vertices, std::size_t number_of_members)
+  // All but those that are replaced. `number_of_members`: how many primitives have these attributes.
+  void repeat_attributes(Json& attributes, Json& targets, const Split_vertices& vertices, std::size_t number_of_members,
+                         bool has_new_tangents)
   {
     if(vertices.origins.empty())
       return;
@@ -133,7 +119,7 @@ private:
     const auto for_each_reference = [&](auto visit)
     {
       for(auto attribute = attributes.begin(); attribute != attributes.end(); ++attribute)
-        if(attribute.key() != uv_attribute)
+        if(attribute.key() != uv_attribute && !(has_new_tangents && attribute.key() == tangent_attribute))
           visit(attribute.value());
       for(Json& target : targets)
         for(Json& reference : target)
@@ -164,18 +150,33 @@ private:
                                std::move(bytes), stride, gltf::array_buffer);
   }
 
-  std::size_t put_uvs(std::optional<std::size_t> former, const Split_vertices& vertices, std::size_t uses)
+  void put_uvs(const Split_vertices& vertices, std::size_t uses, Json& attributes)
+  {
+    put_attribute(uv_attribute, "VEC2", vertices.uvs.size(), uses, attributes, [&](std::size_t v)
+    {
+      const int uv = vertices.uvs[v];
+      return uv < 0 ? std::array<float, 2>{{0, 0}} : gltf_uv(m_layout.uv_points[std::size_t(uv)]);
+    });
+  }
+
+  void put_tangents(const Split_vertices& vertices, const Elements& normals, std::size_t uses, Json& attributes)
+  {
+    put_attribute(tangent_attribute, "VEC4", vertices.uvs.size(), uses, attributes, [&](std::size_t v)
+                  { return vertices.uvs[v] < 0 ? any_tangent(normals.vector<3>(v)) : vertices.tangents[v]; });
+  }
+
+  // At its place among the others: some readers want it there.
+  template <typename Numbers>
+  void put_attribute(const char* name, const char* type, std::size_t count, std::size_t uses, Json& attributes, Numbers numbers)
   {
     std::string bytes;
-    for(const int uv : vertices.uvs)
-    {
-      const std::array<float, 2> numbers = uv < 0 ? std::array<float, 2>{{0, 0}} : gltf_uv(m_layout.uv_points[std::size_t(uv)]);
-      for(const float number : numbers)
+    for(std::size_t v = 0; v < count; ++v)
+      for(const float number : numbers(v))
         store(number, false, bytes);
-    }
-    const Json accessor = {{"componentType", gltf::single}, {"type", "VEC2"}};
-    return m_data.put_accessor(former ? replaceable(*former, uses) : std::nullopt, accessor, std::move(bytes),
-                               2 * sizeof(float), gltf::array_buffer);
+    const std::optional<std::size_t> former = gltf::find_number(attributes, name);
+    attributes[name] = m_data.put_accessor(former ? replaceable(*former, uses) : std::nullopt,
+                                           {{"componentType", gltf::single}, {"type", type}}, std::move(bytes),
+                                           sizeof(numbers(0)), gltf::array_buffer);
   }
 
   // Unless the corners are what the primitive says already.
@@ -220,12 +221,14 @@ private:
   const Layout& m_layout;
   const Gltf_source& m_source;
   gltf::Data m_data;
+  std::vector<Tangent> m_tangents; // per corner of the soup, if they are computed
   std::optional<std::size_t> m_material;
 };
 
 } // namespace
 
-gltf::Content edited_gltf(const Layout& layout, const std::string& png, const std::filesystem::path& folder)
+gltf::Content edited_gltf(const Layout& layout, const std::string& png, bool has_new_tangents,
+                          const std::filesystem::path& folder)
 {
-  return Gltf_editor(layout, png).run(folder);
+  return Gltf_editor(layout, png, has_new_tangents).run(folder);
 }

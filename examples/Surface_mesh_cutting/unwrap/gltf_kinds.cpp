@@ -53,8 +53,12 @@ Data_kinds kinds_of_primitive(const Json& description, const Json& primitive)
   Data_kinds kinds;
   if(number_or(primitive, "mode", triangles) < triangles)
     kinds.insert(Data_kind::POINTS_AND_LINES);
-  if(!list(primitive, "targets").empty())
+  for(const Json& target : list(primitive, "targets"))
+  {
     kinds.insert(Data_kind::MORPH_TARGETS);
+    if(find(target, "TANGENT") != nullptr)
+      kinds.insert(Data_kind::TANGENTS_OF_MORPH_TARGETS);
+  }
   if(has_alpha(description, primitive))
     kinds.insert(Data_kind::TRANSPARENCY);
   return kinds;
@@ -66,6 +70,8 @@ Data_kinds kinds_of(const Document& document)
 {
   const Json& description = document.description();
   Data_kinds kinds;
+  if(document.has_unknown_chunks())
+    kinds.insert(Data_kind::UNKNOWN_CHUNKS);
   for(const std::string& name : names_of_attributes(description))
     kinds.merge(kinds_of_attribute(name));
   for_each_primitive(description, [&](const Json& primitive) { kinds.merge(kinds_of_primitive(description, primitive)); });
@@ -88,12 +94,12 @@ Data_kinds kinds_of(const Document& document)
   return kinds;
 }
 
-std::string list_outdated(const Document& document)
+std::string list_outdated(const Document& document, bool has_new_tangents)
 {
   const Json& description = document.description();
   const std::set<std::string> attributes = names_of_attributes(description);
   const bool has_textures = attributes.count("TEXCOORD_0") != 0 && !list(description, "textures").empty();
-  const bool has_tangents = attributes.count("TANGENT") != 0;
+  const bool has_tangents = attributes.count("TANGENT") != 0 && !has_new_tangents;
   return std::string(has_textures ? "textures" : "") + (has_textures && has_tangents ? " and " : "")
          + (has_tangents ? "tangents" : "");
 }

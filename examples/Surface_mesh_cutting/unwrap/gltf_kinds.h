@@ -12,8 +12,8 @@ namespace gltf {
 
 Data_kinds kinds_of(const Document& document);
 
-// What belongs to its texture coordinates, as words; empty if nothing does.
-std::string list_outdated(const Document& document);
+// What belongs to its texture coordinates and stays as it is when these change, as words; empty if nothing does.
+std::string list_outdated(const Document& document, bool has_new_tangents);
 
 } // namespace gltf
 

@@ -6,6 +6,7 @@
 #include "edit_gltf.h"
 #include "file_extension.h"
 #include "outcome.h"
+#include "tangents.h"
 #include "texture.h"
 
 #include <algorithm>
@@ -36,10 +37,11 @@ struct Gltf_vertex
 {
   int part, uv, point;
   Unit_normal normal;
+  Tangent tangent; // all 0 unless they are computed
 
   friend bool operator<(const Gltf_vertex& v, const Gltf_vertex& w)
   {
-    return std::tie(v.part, v.uv, v.point, v.normal) < std::tie(w.part, w.uv, w.point, w.normal);
+    return std::tie(v.part, v.uv, v.point, v.normal, v.tangent) < std::tie(w.part, w.uv, w.point, w.normal, w.tangent);
   }
   friend bool operator==(const Gltf_vertex& v, const Gltf_vertex& w) { return !(v < w) && !(w < v); }
 };
@@ -47,8 +49,8 @@ struct Gltf_vertex
 class Gltf_builder
 {
 public:
-  Gltf_builder(const Layout& layout, const std::string& png)
-    : m_layout(layout), m_png(png), m_parts(find_parts(layout))
+  Gltf_builder(const Layout& layout, const std::string& png, bool has_tangents)
+    : m_layout(layout), m_png(png), m_has_tangents(has_tangents), m_parts(find_parts(layout))
   {}
 
   gltf::Content run()
@@ -57,6 +59,8 @@ public:
     add_positions();
     add_attribute("TEXCOORD_0", 2, [&](const Gltf_vertex& v) { return gltf_uv(m_layout.uv_points[std::size_t(v.uv)]); });
     add_attribute("NORMAL", 3, [](const Gltf_vertex& v) { return v.normal; });
+    if(m_has_tangents)
+      add_attribute("TANGENT", 4, [](const Gltf_vertex& v) { return v.tangent; });
     if(!m_layout.colors.empty())
       add_attribute("COLOR_0", 3, [&](const Gltf_vertex& v)
       {
@@ -102,8 +106,10 @@ private:
       for(const int corner : triangle)
       {
         const std::size_t c = std::size_t(corner);
-        m_vertices.push_back({owners[c], m_layout.corner_uvs[c], m_layout.corners[c], normals[c]});
+        m_vertices.push_back({owners[c], m_layout.corner_uvs[c], m_layout.corners[c], normals[c], Tangent{}});
       }
+    if(m_has_tangents)
+      add_tangents();
     m_corners = m_vertices;
     std::sort(m_vertices.begin(), m_vertices.end());
     m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
@@ -113,6 +119,21 @@ private:
     for(const Gltf_vertex& vertex : m_vertices)
       ++m_first_vertices[std::size_t(vertex.part) + 1];
     std::partial_sum(m_first_vertices.begin(), m_first_vertices.end(), m_first_vertices.begin());
+  }
+
+  // To the corners of all triangles.
+  void add_tangents()
+  {
+    std::vector<Tangent_corner> corners;
+    for(const Gltf_vertex& vertex : m_vertices)
+    {
+      const std::array<double, 3>& p = m_layout.points[std::size_t(vertex.point)];
+      const std::array<double, 2>& uv = m_layout.uv_points[std::size_t(vertex.uv)];
+      corners.push_back({{p[0], p[1], p[2]}, {vertex.normal[0], vertex.normal[1], vertex.normal[2]}, {uv[0], uv[1]}, vertex.uv});
+    }
+    const std::vector<Tangent> tangents = corner_tangents(corners);
+    for(std::size_t c = 0; c < tangents.size(); ++c)
+      m_vertices[c].tangent = tangents[c];
   }
 
   int add_view(const std::string& bytes)
@@ -144,7 +165,7 @@ private:
       if(const std::size_t first = m_first_vertices[part], count = m_first_vertices[part + 1] - first; count > 0)
         m_primitives[part]["attributes"][name]
           = add_accessor({{"bufferView", view}, {"byteOffset", first * number * sizeof(float)},
-                          {"componentType", gltf::single}, {"count", count}, {"type", number == 2 ? "VEC2" : "VEC3"}});
+                          {"componentType", gltf::single}, {"count", count}, {"type", "VEC" + std::to_string(number)}});
   }
 
   // The format wants to know how far they reach.
@@ -231,6 +252,7 @@ private:
 
   const Layout& m_layout;
   const std::string& m_png;
+  const bool m_has_tangents;
   const Mesh_parts m_parts;
   std::vector<Gltf_vertex> m_vertices; // of one part after the other
   std::vector<Gltf_vertex> m_corners;  // of the triangles
@@ -242,10 +264,14 @@ private:
 
 } // namespace
 
-Data_kinds kinds_in_gltf(const Layout& layout, bool has_own_material)
+Data_kinds kinds_in_gltf(const Layout& layout, bool has_own_material, bool has_tangents)
 {
+  Data_kinds kept = layout.kinds;
+  if(has_tangents)
+    kept.erase(Data_kind::TANGENTS_OF_MORPH_TARGETS); // they move the former ones
+  kept.erase(Data_kind::UNKNOWN_CHUNKS); // they may depend on what was changed
   if(layout.gltf_source)
-    return layout.kinds;
+    return kept;
   Data_kinds kinds = {Data_kind::NORMALS, Data_kind::GROUPS};
   if(!layout.colors.empty())
     kinds.insert(Data_kind::COLORS);
@@ -264,9 +290,10 @@ Json textured_material(std::size_t texture)
   return material;
 }
 
-std::string to_gltf(const Layout& layout, const std::string& png, const std::string& path)
+std::string to_gltf(const Layout& layout, const std::string& png, bool has_tangents, const std::string& path)
 {
-  gltf::Content content = layout.gltf_source ? edited_gltf(layout, png, std::filesystem::absolute(path).parent_path())
-                                             : Gltf_builder(layout, png).run();
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  gltf::Content content = layout.gltf_source ? edited_gltf(layout, png, has_tangents, folder)
+                                             : Gltf_builder(layout, png, has_tangents).run();
   return is_glb(path) ? gltf::to_binary_file(std::move(content)) : gltf::to_text_file(std::move(content));
 }

@@ -62,6 +62,8 @@ Polygon_soup read_of_unknown_name(const std::string& path, std::string_view byte
 Polygon_soup read_soup(const std::string& path, Attributes attributes)
 {
   std::string bytes = path == standard_input ? read_standard_input() : read_bytes(path);
+  if(bytes.empty())
+    throw Failure(Exit_code::UNREADABLE, "the file is empty");
   const Reader read = find_reader_by_extension(path);
   if(read == read_stl && size_of_binary_stl(bytes) == bytes.size()) // whatever its header begins with
     return read_stl(bytes, attributes);

@@ -25,6 +25,13 @@ std::size_t edit_distance(const std::string& from, const std::string& to)
   return row.back();
 }
 
+// Of some letters.
+bool is_beginning(const std::string& word, const std::string& of)
+{
+  constexpr std::size_t shortest = 5; // with the dashes of an option
+  return word.size() >= shortest && of.compare(0, word.size(), word) == 0;
+}
+
 } // namespace
 
 std::string joined(const std::vector<std::string>& words)
@@ -40,7 +47,12 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   constexpr std::size_t longest = 100;
   if(word.size() > longest || words.empty())
     return "";
-  const auto distance = [&word](const std::string& other) { return edit_distance(word, other); };
+  const auto distance = [&word](const std::string& other)
+  {
+    constexpr std::size_t rest = 2; // counts like so many letters
+    const std::size_t letters = edit_distance(word, other);
+    return is_beginning(word, other) || is_beginning(other, word) ? (std::min)(letters, rest) : letters;
+  };
   const std::string& nearest = *std::min_element(
     words.begin(), words.end(), [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
   return 2 * distance(nearest) <= nearest.size() ? "; did you mean " + nearest + "?" : "";

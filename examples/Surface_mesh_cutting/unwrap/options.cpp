@@ -73,6 +73,8 @@ void add_output_options(CLI::App& app, Options& options)
   add_choice(app, "--up", options.up,
              "Which way is up on that page",
              {"x", "y", "z"})->default_str("z for STL, else y")->group(group);
+  app.add_flag("--tangents", options.has_tangents,
+               "Tangents for normal maps, computed from the new texture\ncoordinates, in glTF where there are normals")->group(group);
   add_layout_options(app, options, group);
   app.add_option("--obj-cut", options.obj_cut, "The cut as lines and its feature points as points,\nin OBJ format")
     ->type_name("FILE")->group(group);
@@ -179,6 +181,8 @@ void complete(Options& options)
     refuse("--margin must be less than half of --texture-size");
   if(options.weld == "off" && options.weld_tolerance > 0)
     refuse("--weld-tolerance needs --weld on or auto");
+  if(options.has_tangents && !is_gltf(options.output))
+    refuse("--tangents needs an output in glTF: -o OUT.glb or OUT.gltf");
   if(options.output.empty())
     options.output = std::filesystem::path(name_of_input(options.input)).stem().string() + ".uv.obj";
 }
@@ -242,9 +246,10 @@ Command_line parse_command_line(int argc, char** argv)
   }
   catch(const CLI::ParseError& error)
   {
+    const bool has_second_input = error.get_exit_code() == int(CLI::ExitCodes::ExtrasError);
     result.is_done = true;
     result.exit_code = int(Exit_code::USAGE);
-    result.message = error.what();
+    result.message = error.what() + std::string(has_second_input ? "; the output is named with -o" : "");
     options.json = find_json_file(argc, argv);
   }
   return result;

@@ -18,6 +18,7 @@ struct Options
   std::string output, json, svg, texture, obj_cut, html;
   std::string svg_style = "distortion"; // distortion, partners
   std::string up;                       // x, y, z; empty: z for formats of printing, else y
+  bool has_tangents = false;
   std::string uv_scale = "unit";        // unit, surface
   std::string rotate;                   // any, quarter, none; empty: quarter where that is cheap, else any
   double margin = 2;                    // texels

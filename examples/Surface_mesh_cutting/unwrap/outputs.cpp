@@ -1,8 +1,10 @@
 #include "outputs.h"
 
+#include "Gltf_source.h"
 #include "Output_files.h"
 #include "Thread_limit.h"
 #include "file_extension.h"
+#include "gltf_kinds.h"
 #include "gltf_writer.h"
 #include "html_writer.h"
 #include "json_report.h"
@@ -25,8 +27,13 @@ std::string material_file_name(const Output_places& places, const Options& optio
 Data_kinds written_kinds(const Options& options, const Layout& layout)
 {
   const bool has_own_material = !options.texture.empty();
-  return is_gltf(options.output) ? kinds_in_gltf(layout, has_own_material)
+  return is_gltf(options.output) ? kinds_in_gltf(layout, has_own_material, options.has_tangents)
        : is_ply(options.output) ? kinds_in_ply(layout) : kinds_in_obj(layout, has_own_material);
+}
+
+std::string list_outdated(const Options& options, const Layout& layout)
+{
+  return layout.gltf_source ? gltf::list_outdated(layout.gltf_source->document, options.has_tangents) : "";
 }
 
 } // namespace
@@ -34,6 +41,8 @@ Data_kinds written_kinds(const Options& options, const Layout& layout)
 std::vector<std::string> warnings_about_outputs(const Options& options, const Output_places& places, const Layout& layout)
 {
   std::vector<std::string> warnings;
+  if(const std::string outdated = list_outdated(options, layout); !outdated.empty())
+    warnings.push_back(outdated + " of the file stay as they are, but belong to its former texture coordinates");
   if(const std::string lost = list_lost(layout.kinds, written_kinds(options, layout)); !lost.empty())
     warnings.push_back("these data of the input are not in " + options.output + ": " + lost);
   if(places.material && is_material_renamed(options))
@@ -47,7 +56,7 @@ void write_outputs(const Options& options, const Output_places& places, const La
   const std::string report = to_json(outcome); // once, as what it says of memory changes
   Output_files files;
   if(is_gltf(options.output))
-    files.add(*places.mesh, to_gltf(layout, places.texture ? checkerboard_png() : "", options.output));
+    files.add(*places.mesh, to_gltf(layout, places.texture ? checkerboard_png() : "", options.has_tangents, options.output));
   else if(is_ply(options.output))
     files.add(*places.mesh, to_ply(layout, image_from_mesh(options)));
   else

@@ -83,8 +83,7 @@ void pack(const Mesh& mesh, Cut_map is_cut, UV_map uvs, const Options& options, 
   if(!result && outcome.exit_code == Exit_code::DONE)
   {
     outcome.exit_code = Exit_code::STOPPED;
-    outcome.message = stop_reason() + " before the charts were packed best; the best result so far is written: "
-                    + outcome.message;
+    outcome.message = stop_reason() + " before the charts were packed best";
   }
   if(is_spoiled)
     hold_in_single_precision(mesh, is_cut, uvs, is_injective(options), outcome);

@@ -84,8 +84,6 @@ public:
     if(m_soup.normals.empty())
       m_soup.corner_normals.clear();
     m_soup.kinds = gltf::kinds_of(m_document);
-    if(const std::string outdated = m_attributes.has_gltf_source ? gltf::list_outdated(m_document) : ""; !outdated.empty())
-      m_soup.warnings.push_back(outdated + " of the file stay as they are, but belong to its former texture coordinates");
     if(m_attributes.has_gltf_source)
       m_soup.gltf_source = m_source;
     return std::move(m_soup);
@@ -166,6 +164,7 @@ private:
       points = find_attribute(primitive, "POSITION", 3);
     if(!points)
       return; // points and lines, or an extension brings it
+    check_is_not_compressed(primitive);
     say_material(primitive);
     const std::size_t number = points->number(), first_corner = m_soup.corners.size();
     const Eigen::Matrix3d linear = instance.transformation.topLeftCorner<3, 3>();
@@ -193,6 +192,16 @@ private:
       check_attributes(primitive, number);
       m_source->primitives.push_back({instance.mesh, index, number, first_corner, corners});
     }
+  }
+
+  // Else the accessors of its attributes have no data, and would count as zero.
+  void check_is_not_compressed(const Json& primitive) const
+  {
+    constexpr const char* compression = "KHR_draco_mesh_compression";
+    const Json* const extensions = gltf::find(primitive, "extensions");
+    const Json& points = gltf::item(m_document.description(), "accessors", gltf::number_or(primitive["attributes"], "POSITION", 0));
+    if(extensions != nullptr && gltf::find(*extensions, compression) != nullptr && gltf::find(points, "bufferView") == nullptr)
+      gltf::fail_about_compression("a mesh of the file", compression);
   }
 
   // All of them have as many elements as there are vertices.

@@ -25,8 +25,8 @@ Polygon_soup read_binary(std::string_view bytes, bool does_merge)
   Point_merger merger(soup, does_merge);
   for(std::size_t facet = header_size; facet < *size; facet += facet_size)
   {
-    if(load<std::uint16_t>(bytes.substr(facet + 48, 2), false) != 0) // some programs hide a color there
-      soup.kinds.insert(Data_kind::OTHER_PROPERTIES);
+    if(load<std::uint16_t>(bytes.substr(facet + 48, 2), false) != 0)
+      soup.kinds.insert(Data_kind::ATTRIBUTE_BYTES);
     const auto coordinate = [&](std::size_t i) // the first three are the normal
     { return double(load<float>(bytes.substr(facet + 4 * i, 4), false)); };
     for(std::size_t i = 3; i < 12; i += 3)
