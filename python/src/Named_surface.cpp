@@ -129,13 +129,13 @@ void Named_surface::find_terminals(const Soup_adapter& adapter)
                                        + std::to_string(unknown.vertices.front()), std::move(unknown));
 }
 
-Soup_adapter Named_surface::read()
+Soup_adapter Named_surface::read(const Go_further& go_further)
 {
   check_size();
   const SMC::internal::Welding_words words = {"weld='on'", "weld_tolerance=", ""};
   const SMC::internal::Welding none;
   Soup_adapter adapter(m_arguments.soup.points(), m_arguments.soup.polygons(), m_arguments.is_strict ? none : m_arguments.welding,
-                       SMC::internal::Execution::SEQUENTIAL, m_arguments.is_strict ? nullptr : &words);
+                       SMC::internal::Execution::SEQUENTIAL, m_arguments.is_strict ? nullptr : &words, go_further);
   m_interpreted = adapter.surface().findings;
   if(m_arguments.is_strict && (adapter.status() || adapter.status().finding.code == Status_code::EMPTY_MESH))
     check_strictly();

@@ -28,6 +28,7 @@ namespace SMC = CGAL::Surface_mesh_cutting;
 using Finding = SMC::Finding<SMC::Polygon_soup>;
 using Status = SMC::Status<SMC::Polygon_soup>;
 using SMC::Status_code;
+using SMC::internal::Go_further;
 using SMC::internal::Soup_adapter;
 
 // Results do not depend on it.
@@ -58,7 +59,7 @@ public:
 
   // Reads the surface and finds in it what the caller names; throws a `Refusal`. The status of the result may be an
   // error, too. To be called once.
-  Soup_adapter read();
+  Soup_adapter read(const Go_further& go_further = SMC::internal::always_go_further);
 
   const Surface_arguments& arguments() const { return m_arguments; }
   const std::vector<SMC::Interpretation>& interpreted() const { return m_interpreted; }

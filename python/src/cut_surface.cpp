@@ -100,7 +100,7 @@ Cut_surface run(Named_surface& surface, const Cutting_options& options, const st
   Cut_surface result;
   std::optional<Status> packing_status;
   result.found = SMC::internal::run_on_adapter<Concurrency_tag, SMC::Unwrap_soup_result, Eigen::Vector2d>(
-    [&] { return surface.read(); }, options.output,
+    [&](const Go_further& go_further) { return surface.read(go_further); }, options.output,
     [&](const Soup_adapter& adapter, const Mesh_result& found)
     {
       if(options.output != Output_kind::FEATURES)

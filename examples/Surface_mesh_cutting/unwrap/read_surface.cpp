@@ -2,6 +2,7 @@
 
 #include "make_mesh.h"
 #include "outcome.h"
+#include "stop_request.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Welding_advice.h>
@@ -37,9 +38,11 @@ SMC::internal::Soup_surface read(const Polygon_soup& soup, const SMC::internal::
   polygons.ends.assign(soup.polygon_ends.begin(), soup.polygon_ends.end());
   using namespace CGAL::Surface_mesh_parameterization::internal;
   constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
-  SMC::internal::Soup_surface surface = SMC::internal::read_soup(points, polygons, welding, execution);
+  const SMC::internal::Go_further go_further = [] { return !is_stop_requested(); };
+  SMC::internal::Soup_surface surface = SMC::internal::read_soup(points, polygons, welding, execution, go_further);
+  end_if_stop_is_requested();
   warnings = SMC::internal::soup_warnings(
-    surface, SMC::internal::Welding_adviser(points, polygons, surface, welding, execution)(),
+    surface, SMC::internal::Welding_adviser(points, polygons, surface, welding, execution, go_further)(),
     {"--weld on", "--weld-tolerance ", ""});
   return surface;
 }

@@ -110,11 +110,11 @@ Unwrap_soup_result unwrap_polygon_soup(const PointRange& points, const PolygonRa
                                                                                                              : internal::Welding::OFF,
                                      choose_parameter(get_parameter(np, internal_np::weld_tolerance), 0.), {}};
   Unwrap_soup_result result = internal::run_on_adapter<ConcurrencyTag, Unwrap_soup_result, UV>(
-    [&]
+    [&](const internal::Go_further& go_further)
     {
       const internal::Welding_words words = {"do_weld_points(true)", "do_weld_points(true).weld_tolerance(", ")"};
       internal::Soup_adapter adapter(points, polygons, welding,
-                                     Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>(), &words);
+                                     Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>(), &words, go_further);
       interpreted = adapter.surface().findings;
       return adapter;
     },

@@ -54,11 +54,13 @@ CGAL_INLINE_UNLESS_SEPARATE std::vector<Finding> mesh_warnings(const Indexed_mes
 // same vertex twice. Linear in the number of corners on usual polygons.
 CGAL_INLINE_UNLESS_SEPARATE
 Polygon_triangulation triangulate_polygons(const std::vector<Point>& points, const Polygons& polygons,
-                                           const std::vector<int>& opposites);
+                                           const std::vector<int>& opposites,
+                                           const Go_further& go_further = always_go_further);
 
 // Reads a polygon soup as a surface. Points that polygons use are finite, and indices in range. Nearly linear time.
 CGAL_INLINE_UNLESS_SEPARATE
-Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution);
+Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution,
+                       const Go_further& go_further = always_go_further);
 
 // Runs the method. `round`: what becomes of a UV at the scale of the indexed mesh when it is handed out and read back.
 CGAL_INLINE_UNLESS_SEPARATE

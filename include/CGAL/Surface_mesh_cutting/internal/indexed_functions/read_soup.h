@@ -24,9 +24,10 @@ namespace Surface_mesh_cutting {
 namespace internal {
 
 CGAL_INLINE_UNLESS_SEPARATE
-Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution)
+Soup_surface read_soup(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution,
+                       const Go_further& go_further)
 {
-  return Soup_reader(points, soup, welding, execution).run();
+  return Soup_reader(points, soup, welding, execution, go_further).run();
 }
 
 } // namespace internal

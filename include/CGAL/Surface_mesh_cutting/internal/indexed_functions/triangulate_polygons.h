@@ -25,9 +25,9 @@ namespace internal {
 
 CGAL_INLINE_UNLESS_SEPARATE
 Polygon_triangulation triangulate_polygons(const std::vector<Point>& points, const Polygons& polygons,
-                                           const std::vector<int>& opposites)
+                                           const std::vector<int>& opposites, const Go_further& go_further)
 {
-  return Polygon_triangulator(points, polygons, opposites).run();
+  return Polygon_triangulator(points, polygons, opposites, go_further).run();
 }
 
 } // namespace internal

@@ -51,7 +51,8 @@ public:
   using face_descriptor = typename Graph_traits::face_descriptor;
 
   // O(n). The indexed mesh exists only where `status()` is OK.
-  Mesh_adapter(const TriangleMesh& tmesh, VertexPointMap vpm, Execution execution = Execution::SEQUENTIAL)
+  Mesh_adapter(const TriangleMesh& tmesh, VertexPointMap vpm, Execution execution = Execution::SEQUENTIAL,
+               const Go_further& go_further = always_go_further)
     : m_tmesh(tmesh)
   {
     std::vector<Point> points;
@@ -62,7 +63,7 @@ public:
     if(m_status)
       read_opposites(opposites);
     if(m_status)
-      make_mesh(std::move(points), m_outlines, opposites, execution);
+      make_mesh(std::move(points), m_outlines, opposites, execution, go_further);
   }
 
   vertex_descriptor to_vertex(int v) const { return m_vertices[v]; }
@@ -234,7 +235,8 @@ private:
 
 // With the points that the named parameters give.
 template <typename TriangleMesh, typename NamedParameters>
-auto make_mesh_adapter(const TriangleMesh& tmesh, const NamedParameters& np, Execution execution = Execution::SEQUENTIAL)
+auto make_mesh_adapter(const TriangleMesh& tmesh, const NamedParameters& np, Execution execution = Execution::SEQUENTIAL,
+                       const Go_further& go_further = always_go_further)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -243,7 +245,7 @@ auto make_mesh_adapter(const TriangleMesh& tmesh, const NamedParameters& np, Exe
   return Mesh_adapter<TriangleMesh, Vertex_point_map>(
     tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
                             get_const_property_map(CGAL::vertex_point, tmesh)),
-    execution);
+    execution, go_further);
 }
 
 } // namespace internal

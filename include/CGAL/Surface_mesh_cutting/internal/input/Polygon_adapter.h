@@ -21,6 +21,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -34,6 +36,9 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
+
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
 
 // What the adapters of meshes and of polygon soups have in common: the triangles of the caller's polygons as an
 // indexed mesh, and where they come from.
@@ -82,9 +87,10 @@ protected:
     return Point_2(static_cast<Number>(p.x()), static_cast<Number>(p.y()));
   }
 
-  // `opposites` holds the side across each side, or -1 on a border; no side has the same vertex twice. O(n).
+  // `opposites` holds the side across each side, or -1 on a border; no side has the same vertex twice. O(n) on usual
+  // polygons; `go_further` can end it.
   void make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites,
-                 Execution execution = Execution::SEQUENTIAL);
+                 Execution execution, const Go_further& go_further);
 
   // Before there are triangles; `polygons` are indices of polygons, in any order.
   void refuse_polygons(Status_code code, const char* message, std::vector<int> polygons);

@@ -56,10 +56,15 @@ void Polygon_adapter::normalize(std::vector<Point>& points, const Polygons& poly
 
 CGAL_INLINE_UNLESS_SEPARATE
 void Polygon_adapter::make_mesh(std::vector<Point> points, const Polygons& polygons, const std::vector<int>& opposites,
-                                Execution execution)
+                                Execution execution, const Go_further& go_further)
 {
   normalize(points, polygons);
-  Polygon_triangulation triangulation = triangulate_polygons(points, polygons, opposites);
+  Polygon_triangulation triangulation = triangulate_polygons(points, polygons, opposites, go_further);
+  if(triangulation.is_stopped)
+  {
+    m_status = stopped_status();
+    return;
+  }
   if(!triangulation.doubled.empty())
   {
     refuse_polygons(Status_code::NOT_TRIANGULATED,

@@ -52,7 +52,8 @@ public:
   template <typename PointRange, typename PolygonRange>
   // `words`: how the caller asks for welding, which warnings say where it would help.
   Soup_adapter(const PointRange& points, const PolygonRange& polygons, const Welding& welding,
-               Execution execution = Execution::SEQUENTIAL, const Welding_words* words = nullptr)
+               Execution execution = Execution::SEQUENTIAL, const Welding_words* words = nullptr,
+               const Go_further& go_further = always_go_further)
   {
     if(!Welding::is_tolerance(welding.tolerance))
       m_status = Indexed_status(Status_code::WRONG_PARAMETER, "weld_tolerance is not in the range from 0 to 0.01");
@@ -62,14 +63,19 @@ public:
       check_points(soup, coordinates);
     if(!m_status)
       return;
-    m_surface = read_soup(coordinates, soup, welding, execution);
+    m_surface = read_soup(coordinates, soup, welding, execution, go_further);
+    if(m_surface.is_stopped)
+      m_status = stopped_status();
+    if(!m_status)
+      return;
     if(words != nullptr)
-      m_warnings = soup_warnings(m_surface, Welding_adviser(coordinates, soup, m_surface, welding, execution)(), *words);
+      m_warnings = soup_warnings(
+        m_surface, Welding_adviser(coordinates, soup, m_surface, welding, execution, go_further)(), *words);
     begin_triangles_with_last_corner(m_surface);
     if(m_surface.polygons.number() == 0)
       m_status = Indexed_status(Status_code::EMPTY_MESH, "no polygon is part of a surface");
     else
-      make_mesh(m_surface.points, m_surface.polygons, m_surface.opposites, execution);
+      make_mesh(m_surface.points, m_surface.polygons, m_surface.opposites, execution, go_further);
   }
 
   const Soup_surface& surface() const { return m_surface; }

@@ -117,8 +117,7 @@ private:
       failed.status = cut_handles_of(problem, context);
     if(!failed.status)
       return {failed};
-    const Cutting_parameters parameters = parameters_on_coarse_mesh(context.parameters);
-    const Race race(problem, Context{parameters, context.control, context.clock, context.execution}, plan, true);
+    const Race race(problem, context, plan, true);
     return results_of_race(race, plan, context, [&](const Runner& runner)
     {
       Detected_features detected = runner.detected;

@@ -87,13 +87,13 @@ private:
     return parameters;
   }
 
-  // In faces: that of the problem for the first start, which sees all details; between 0.7 and 1.4 of the mean for others.
+  // In faces, 0 for those of the problem: the first start sees all details, others see between 0.7 and 1.4 times the mean.
   int size_of_start(int i) const
   {
-    constexpr double golden_ratio = 0.6180339887498949, mean = 2000, largest_share = 0.4;
+    constexpr double golden_ratio = 0.6180339887498949, mean = 2000;
     const double position = i * golden_ratio + 0.5;
     const double size = std::exp2(position - std::floor(position) - 0.5);
-    return i == 0 ? 0 : int(size * (std::min)(mean, largest_share * m_problem.mesh.number_of_faces()));
+    return i == 0 ? 0 : int(size * (std::min)(mean, double(m_problem.mesh.number_of_faces())));
   }
 
   void begin(Runner& runner, int i) const
@@ -101,12 +101,15 @@ private:
     if(i > 0 && !m_context.control.go_further())
       return;
     Run_control control(m_context.control, Run_control::share_of_detection() / m_plan.number_of_starts);
-    const Cutting_parameters parameters = parameters_of_start(i);
+    const int size = size_of_start(i);
+    Cutting_parameters parameters = parameters_of_start(i);
+    if(size == 0 && m_goal.keeps_tree) // a coarser version
+      parameters = parameters_on_coarse_mesh(parameters);
     const Context context{parameters, control, m_context.clock, m_context.execution};
     if(i == 1)
       runner.detected.features = corners(m_problem);
     if(runner.detected.features.empty())
-      runner.detected = detect_features(m_problem, size_of_start(i), context);
+      runner.detected = detect_features(m_problem, size, context);
     if(runner.detected.status)
       map(runner);
   }

@@ -104,7 +104,7 @@ Indexed_status run_method(const Adapter& adapter, Output_kind output, const Writ
   return status;
 }
 
-// The common part of the calls that run the method: reads the surface, by `make_adapter()`, and the named parameters,
+// The common part of the calls that run the method: reads the surface, by `make_adapter(go_further)`, and the named parameters,
 // checks them, runs, lets `write(adapter, found)` hand out the result if there is one, and reports.
 template <typename ConcurrencyTag, typename Result, typename UV, typename MakeAdapter, typename WriteResult,
           typename NamedParameters>
@@ -120,7 +120,7 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
   Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   Run_control control = read_run_control(visitor, np);
-  const auto adapter = make_adapter();
+  const auto adapter = make_adapter(Go_further(control));
   using Adapter = std::decay_t<decltype(adapter)>;
   Cutting_parameters parameters = read_cutting_parameters(np);
   using namespace Surface_mesh_parameterization::internal;
@@ -161,8 +161,8 @@ template <typename ConcurrencyTag, typename Result, typename UV = Eigen::Vector2
 Result run_pipeline(const TriangleMesh& tmesh, Output_kind output, WriteResult write, const NamedParameters& np)
 {
   constexpr Execution execution = Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>();
-  return run_on_adapter<ConcurrencyTag, Result, UV>([&] { return make_mesh_adapter(tmesh, np, execution); }, output, write,
-                                                    np);
+  return run_on_adapter<ConcurrencyTag, Result, UV>(
+    [&](const Go_further& go_further) { return make_mesh_adapter(tmesh, np, execution, go_further); }, output, write, np);
 }
 
 } // namespace internal

@@ -32,16 +32,16 @@ namespace internal {
 class Polygon_parts
 {
 public:
-  // O(n) on polygons that do not touch themselves.
-  Polygon_parts(const std::vector<Point>& points, const Polygons& soup)
-    : m_points(points), m_soup(soup), m_substitutes(soup.vertices.size(), -1)
+  // O(n) on polygons that do not touch themselves; others are triangulated. Stops where that takes long.
+  Polygon_parts(const std::vector<Point>& points, const Polygons& soup, const Go_further& go_further)
+    : m_points(points), m_soup(soup), m_go_further(go_further), m_substitutes(soup.vertices.size(), -1)
   {
     m_polygons.vertices.reserve(soup.vertices.size());
     m_polygons.ends.reserve(soup.ends.size());
     m_corners.reserve(soup.vertices.size());
     m_origins.reserve(soup.ends.size());
     const std::vector<char> is_simple = soup.are_simple(int(points.size()));
-    for(int p = 0; p < soup.number(); ++p)
+    for(int p = 0; p < soup.number() && !m_is_stopped; ++p)
       if(is_simple[p])
       {
         for(int c = soup.begin(p); c < soup.end(p); ++c)
@@ -64,6 +64,9 @@ public:
   const std::vector<int>& without_area() const { return m_without_area; }
   const std::vector<int>& with_repeated_corners() const { return m_with_repeated_corners; }
   const std::vector<int>& divided() const { return m_divided; }
+
+  // Then the parts are any.
+  bool is_stopped() const { return m_is_stopped; }
 
 private:
   int vertex(int c) const { return m_soup.vertices[c]; }
@@ -119,12 +122,15 @@ private:
     return outline;
   }
 
-  bool is_disk(const std::vector<int>& outline) const
+  bool is_disk(const std::vector<int>& outline)
   {
     std::vector<Point> corners;
     for(int c : outline)
       corners.push_back(m_points[vertex(c)]);
-    return !touching_triangulation(corners, [&](int i, int j) { return vertex(outline[i]) == vertex(outline[j]); }).empty();
+    const auto is_same_vertex = [&](int i, int j) { return vertex(outline[i]) == vertex(outline[j]); };
+    const bool is_disk = !touching_triangulation(corners, is_same_vertex, m_go_further).empty();
+    m_is_stopped = m_is_stopped || (int(outline.size()) > maximal_size_of_least && !m_go_further());
+    return is_disk;
   }
 
   // Those with three corners or more, each of which has a vertex once. Every corner is in one of all.
@@ -174,9 +180,11 @@ private:
 
   const std::vector<Point>& m_points;
   const Polygons& m_soup;
+  const Go_further& m_go_further;
   Polygons m_polygons;
   std::vector<int> m_origins, m_corners, m_substitutes;
   std::vector<int> m_without_area, m_with_repeated_corners, m_divided;
+  bool m_is_stopped = false;
 };
 
 } // namespace internal

@@ -36,6 +36,8 @@ struct Polygon_triangulation
   // The polygons with a diagonal between vertices that have another edge, and those that touch themselves so that a triangle
   // is turned over. Where two edges enclose a part of the surface without a cut, no map is free of flips.
   std::vector<int> doubled;
+
+  bool is_stopped = false; // then the rest is not complete
 };
 
 } // namespace internal

@@ -38,11 +38,13 @@ class Polygon_triangulator
 public:
   // `opposites` holds the side across each side, or -1 on a border. Polygons may touch themselves, but no side has the same
   // vertex twice.
-  Polygon_triangulator(const std::vector<Point>& points, const Polygons& polygons, const std::vector<int>& opposites)
-    : m_points(points), m_polygons(polygons), m_opposites(opposites), m_halfedges(polygons.vertices.size(), -1)
+  Polygon_triangulator(const std::vector<Point>& points, const Polygons& polygons, const std::vector<int>& opposites,
+                       const Go_further& go_further)
+    : m_points(points), m_polygons(polygons), m_opposites(opposites), m_go_further(go_further),
+      m_halfedges(polygons.vertices.size(), -1)
   {}
 
-  // Linear in the number of corners on usual polygons.
+  // Linear in the number of corners on usual polygons. Stops within a polygon, too.
   Polygon_triangulation run()
   {
     if(m_polygons.number_of_corners() == 3 * m_polygons.number())
@@ -50,7 +52,16 @@ public:
     collect_edges();
     m_is_simple = m_polygons.are_simple(int(m_points.size()));
     for(int polygon = 0; polygon < m_polygons.number(); ++polygon)
+    {
       add(polygon, m_polygons.size(polygon) == 3 ? std::vector<Triangle>{{0, 1, 2}} : triangulate(polygon));
+      const bool has_taken_long
+        = m_polygons.size(polygon) > maximal_size_of_least || (polygon + 1) % polygons_between_questions == 0;
+      if(has_taken_long && !m_go_further())
+      {
+        m_result.is_stopped = true; // the last polygon may have a makeshift triangulation
+        return std::move(m_result);
+      }
+    }
     for(std::size_t h = 0; h < m_result.sides.size(); ++h)
       if(const int side = m_result.sides[h]; side >= 0 && m_opposites[side] >= 0)
         m_result.opposites[h] = m_halfedges[m_opposites[side]];
@@ -58,8 +69,8 @@ public:
   }
 
 private:
-  static constexpr int maximal_size_of_least = 32;   // above, it takes longer than the constrained triangulation
   static constexpr int maximal_size_of_repair = 500; // above, it takes too long
+  static constexpr int polygons_between_questions = 1024;
 
   // All polygons have three corners or more.
   Polygon_triangulation triangles_as_they_are() const
@@ -125,7 +136,7 @@ private:
       return add_diagonals(triangles, size, diagonal);
     triangles.clear();
     if(size > maximal_size_of_least)
-      triangles = constrained_triangulation(corners);
+      triangles = constrained_triangulation(corners, m_go_further);
     if(triangles.empty() && size > maximal_size_of_repair)
       triangles = strip(size);
     if(triangles.empty() || (size <= maximal_size_of_repair && has_unwanted_diagonal(triangles)))
@@ -194,6 +205,7 @@ private:
   const std::vector<Point>& m_points;
   const Polygons& m_polygons;
   const std::vector<int>& m_opposites;
+  const Go_further& m_go_further;
   std::vector<int> m_halfedges;              // per side
   std::vector<char> m_is_simple;             // per polygon
   std::unordered_set<std::uint64_t> m_edges; // with two vertices, diagonals included

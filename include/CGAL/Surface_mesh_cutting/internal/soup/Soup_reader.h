@@ -39,14 +39,15 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Reads a polygon soup as a surface. Nearly linear time, and the same result wherever it runs.
+// Reads a polygon soup as a surface. Nearly linear time on usual polygons, and the same result wherever it runs.
 class Soup_reader
 {
 public:
   // Points that polygons use are finite, and indices in range.
-  Soup_reader(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution)
-    : m_points(points), m_execution(execution), m_representatives(representatives(soup, welding)),
-      m_soup(of_representatives(soup)), m_parts(points, m_soup), m_polygons(m_parts.polygons()),
+  Soup_reader(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution,
+              const Go_further& go_further)
+    : m_points(points), m_execution(execution), m_go_further(go_further), m_representatives(representatives(soup, welding)),
+      m_soup(of_representatives(soup)), m_parts(points, m_soup, go_further), m_polygons(m_parts.polygons()),
       m_owners(m_polygons.owners()), m_former(former_duplicates(m_polygons, number_of_points(), execution)),
       m_is_used(m_polygons.ends.size(), 1)
   {
@@ -68,6 +69,8 @@ public:
 
   Soup_surface run()
   {
+    if(m_parts.is_stopped())
+      return stopped_surface();
     const Soup_edges edges(m_polygons, m_is_used, number_of_points(), m_execution);
     const Sheet_joiner joiner(m_points, m_polygons, m_is_used, edges);
     m_mates = joiner.mates();
@@ -79,6 +82,8 @@ public:
       m_fans = fans_across(m_mates);
       number_fans();
     }
+    if(m_surface.is_stopped)
+      return stopped_surface();
     place_corners();
     for(Interpretation& finding : m_findings)
       if(finding.count() > 0)
@@ -87,6 +92,13 @@ public:
   }
 
 private:
+  static Soup_surface stopped_surface()
+  {
+    Soup_surface nothing;
+    nothing.is_stopped = true;
+    return nothing;
+  }
+
   int number_of_points() const { return int(m_points.size()); }
 
   std::vector<int> representatives(const Polygons& soup, const Welding& welding)
@@ -302,8 +314,13 @@ private:
   {
     if(m_surface.polygons.number_of_corners() == 3 * m_surface.polygons.number())
       return false;
+    const Polygon_triangulation triangulation
+      = triangulate_polygons(m_surface.points, m_surface.polygons, m_surface.opposites, m_go_further);
+    m_surface.is_stopped = triangulation.is_stopped;
+    if(m_surface.is_stopped)
+      return false;
     bool has_changed = false;
-    for(int p : triangulate_polygons(m_surface.points, m_surface.polygons, m_surface.opposites).doubled)
+    for(int p : triangulation.doubled)
       has_changed = open(m_parts_of_surface[p]) || has_changed;
     return has_changed;
   }
@@ -377,6 +394,7 @@ private:
   Soup_surface m_surface;
   const std::vector<Point>& m_points;
   const Execution m_execution;
+  const Go_further& m_go_further;
   const std::vector<int> m_representatives;
   const Polygons m_soup; // of the vertices that stand for others
   const Polygon_parts m_parts;

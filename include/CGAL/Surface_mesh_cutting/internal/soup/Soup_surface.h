@@ -41,6 +41,8 @@ struct Soup_surface
 
   bool is_welded = false; // whether vertices at the same point counted as one
   std::vector<Interpretation> findings;
+
+  bool is_stopped = false; // then there is nothing else
 };
 
 } // namespace internal

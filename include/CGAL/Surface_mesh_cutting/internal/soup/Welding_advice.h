@@ -43,7 +43,11 @@ struct Welding_advice
   int pieces = 0, pieces_if_welded = 0;
   int joined_edges = 0;
 
-  explicit operator bool() const { return vertices > 0 && (pieces_if_welded < pieces || joined_edges > 0); }
+  // Not where nothing would be left.
+  explicit operator bool() const
+  {
+    return vertices > 0 && pieces_if_welded > 0 && (pieces_if_welded < pieces || joined_edges > 0);
+  }
 };
 
 // How the user asks for welding; a tolerance stands between two of the words.
@@ -76,8 +80,9 @@ class Welding_adviser
 {
 public:
   Welding_adviser(const std::vector<Point>& points, const Polygons& soup, const Soup_surface& surface,
-                  const Welding& welding, Execution execution)
-    : m_points(points), m_soup(soup), m_surface(surface), m_welding(welding), m_execution(execution)
+                  const Welding& welding, Execution execution, const Go_further& go_further)
+    : m_points(points), m_soup(soup), m_surface(surface), m_welding(welding), m_execution(execution),
+      m_go_further(go_further)
   {
     for(int p = 0; p < surface.polygons.number(); ++p)
       for(int c = surface.polygons.begin(p); c < surface.polygons.end(p); ++c)
@@ -124,7 +129,10 @@ private:
     result.vertices = number_of_vertices;
     if(result.vertices == 0)
       return result;
-    const Soup_surface welded = read_soup(m_points, m_soup, {Welding::ON, tolerance, m_welding.parts}, m_execution);
+    const Soup_surface welded
+      = read_soup(m_points, m_soup, {Welding::ON, tolerance, m_welding.parts}, m_execution, m_go_further);
+    if(welded.is_stopped)
+      return Welding_advice();
     result.pieces = number_of_pieces(m_surface);
     result.pieces_if_welded = number_of_pieces(welded);
     result.joined_edges = (number_of_border_sides(m_surface) - number_of_border_sides(welded)) / 2;
@@ -152,6 +160,7 @@ private:
   const Soup_surface& m_surface;
   const Welding& m_welding;
   const Execution m_execution;
+  const Go_further& m_go_further;
   Polygons m_border;
 };
 

@@ -17,12 +17,17 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Least_triangulation.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Marked_triangulation.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Unique_hash_map.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -30,9 +35,15 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
+using CGAL::internal::Graph_kernel::Go_further;
+
+constexpr int maximal_size_of_least = 32; // of polygons; above, `Least_triangulation` takes longer than the constrained one
+
 // The constrained Delaunay triangulation of a polygon seen along its area vector; empty where that does not make
 // n - 2 triangles of the corners alone, as where the polygon crosses itself. It may touch itself in corners and along
-// sides, as a polygon does whose hole is connected by a bridge. O(n log n) on usual polygons.
+// sides, as a polygon does whose hole is connected by a bridge. O(n log n) on usual polygons, and O(n^2) or more where sides
+// cross many triangles of the corners, as those of long teeth. Asks before each corner and side whether to go on, and is empty
+// if not: one of them takes O(n) on all but the worst polygons.
 class Constrained_polygon
 {
   using Triangulation = Surface_mesh_parameterization::internal::Marked_triangulation;
@@ -40,20 +51,9 @@ class Constrained_polygon
   using Vertex_handle = Triangulation::Vertex_handle;
 
 public:
-  explicit Constrained_polygon(const std::vector<Point>& polygon)
+  Constrained_polygon(const std::vector<Point>& polygon, const Go_further& go_further)
   {
-    insert(polygon);
-    try
-    {
-      for(std::size_t i = 0; i < m_corners.size(); ++i)
-        if(m_corners[i] != next(i))
-          m_triangulation.insert_constraint(m_corners[i], next(i));
-    }
-    catch(const Triangulation::Intersection_of_constraints_exception&)
-    {
-      return;
-    }
-    if(m_triangulation.dimension() == 2)
+    if(insert(polygon, go_further) && insert_sides(go_further) && m_triangulation.dimension() == 2)
       collect_triangles();
   }
 
@@ -64,7 +64,8 @@ private:
   Vertex_handle next(std::size_t i) const { return m_corners[(i + 1) % m_corners.size()]; }
   Vertex_handle previous(std::size_t i) const { return m_corners[(i + m_corners.size() - 1) % m_corners.size()]; }
 
-  void insert(const std::vector<Point>& polygon)
+  // False if stopped.
+  bool insert(const std::vector<Point>& polygon, const Go_further& go_further)
   {
     const Point normal = area_vector(polygon);
     int axis = 0; // that the normal is closest to
@@ -72,8 +73,51 @@ private:
       if(std::abs(normal[k]) > std::abs(normal[axis]))
         axis = k;
     const int x = normal[axis] < 0 ? (axis + 2) % 3 : (axis + 1) % 3, y = 3 - axis - x;
+    std::vector<Triangulation::Point> points;
+    points.reserve(polygon.size());
     for(const Point& p : polygon)
-      m_corners.push_back(m_triangulation.insert(Triangulation::Point(p[x], p[y])));
+      points.emplace_back(p[x], p[y]);
+    m_corners.resize(points.size());
+    Face_handle former; // near the next one
+    for(std::size_t i : spatial_order(points))
+    {
+      if(!go_further())
+        return false;
+      m_corners[i] = m_triangulation.insert(points[i], former);
+      former = m_corners[i]->face();
+    }
+    return true;
+  }
+
+  // Along the polygon, each corner would be outside of all former triangles, which takes O(n).
+  static std::vector<std::size_t> spatial_order(const std::vector<Triangulation::Point>& points)
+  {
+    using Map = Pointer_property_map<Triangulation::Point>::const_type;
+    using Traits = Spatial_sort_traits_adapter_2<Triangulation::Geom_traits, Map>;
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    spatial_sort(order.begin(), order.end(), Traits(make_property_map(points)));
+    return order;
+  }
+
+  // False if stopped, or if they cross.
+  bool insert_sides(const Go_further& go_further)
+  {
+    try
+    {
+      for(std::size_t i = 0; i < m_corners.size(); ++i)
+      {
+        if(!go_further())
+          return false;
+        if(m_corners[i] != next(i))
+          m_triangulation.insert_constraint(m_corners[i], next(i));
+      }
+    }
+    catch(const Triangulation::Intersection_of_constraints_exception&)
+    {
+      return false;
+    }
+    return true;
   }
 
   void collect_triangles()
@@ -117,16 +161,16 @@ private:
   std::vector<Triangle> m_triangles;
 };
 
-inline std::vector<Triangle> constrained_triangulation(const std::vector<Point>& polygon)
+inline std::vector<Triangle> constrained_triangulation(const std::vector<Point>& polygon, const Go_further& go_further)
 {
-  return Constrained_polygon(polygon).triangles();
+  return Constrained_polygon(polygon, go_further).triangles();
 }
 
 // A triangulation of a polygon with several corners at a vertex, as of a disk that touches itself: no triangle is flat or
-// turned over, no diagonal connects two corners at the same vertex. Empty if none is found.
-inline std::vector<Triangle> touching_triangulation(const std::vector<Point>& polygon, const Is_taken& is_same_vertex)
+// turned over, no diagonal connects two corners at the same vertex. Empty if none is found, or if stopped.
+inline std::vector<Triangle> touching_triangulation(const std::vector<Point>& polygon, const Is_taken& is_same_vertex,
+                                                    const Go_further& go_further)
 {
-  constexpr std::size_t maximal_size_of_least = 32;
   const Point area = area_vector(polygon);
   const auto is_valid = [&](const std::vector<Triangle>& triangles)
   {
@@ -136,8 +180,8 @@ inline std::vector<Triangle> touching_triangulation(const std::vector<Point>& po
              is_same_vertex(t[0], t[1]) || is_same_vertex(t[1], t[2]) || is_same_vertex(t[2], t[0]);
     });
   };
-  std::vector<Triangle> triangles = constrained_triangulation(polygon);
-  if(polygon.size() <= maximal_size_of_least && (triangles.empty() || !is_valid(triangles)))
+  std::vector<Triangle> triangles = constrained_triangulation(polygon, go_further);
+  if(int(polygon.size()) <= maximal_size_of_least && (triangles.empty() || !is_valid(triangles)))
     triangles = Least_triangulation(polygon, is_same_vertex).triangles();
   return is_valid(triangles) ? triangles : std::vector<Triangle>();
 }
