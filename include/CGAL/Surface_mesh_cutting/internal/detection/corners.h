@@ -15,12 +15,17 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
+
+#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 
@@ -71,7 +76,6 @@ inline std::vector<int> corners(const Problem& problem)
     const std::vector<char> is_reachable = reachable_vertices(problem.mesh, problem.constraints);
     vertices.erase(std::remove_if(vertices.begin(), vertices.end(), [&](int v) { return !is_reachable[v]; }), vertices.end());
     CGAL::internal::Graph_kernel::add_unique(problem.terminals, vertices);
-    std::sort(vertices.begin(), vertices.end());
     return vertices;
   }
   return {};

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Objective.h>
 
 #include <algorithm>
 #include <iterator>

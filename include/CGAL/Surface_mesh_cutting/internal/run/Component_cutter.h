@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
