@@ -36,7 +36,7 @@ bool can_write_gltf(const Layout& layout)
 {
   try
   {
-    return !to_gltf(layout, "", "out.glb").empty();
+    return !to_gltf(layout, "", false, "out.glb").empty();
   }
   catch(const Failure&)
   {

@@ -22,6 +22,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
