@@ -44,6 +44,8 @@ namespace internal {
 class Cut_parameterizer
 {
 public:
+  static constexpr double tolerance = 0.0195; // of the energy, without a bound: less is not worth a longer cut
+
   // The references are kept.
   Cut_parameterizer(const Problem& problem, const Context& context) : m_problem(problem), m_context(context) {}
 
@@ -234,7 +236,7 @@ private:
        < layers * size.x() * size.y())
       return false;
     const Cutting_parameters& parameters = m_context.parameters;
-    return divide(running, parameters.has_bound() ? parameters.maximum_average_distortion : running.energy, result);
+    return divide(running, parameters.has_bound() ? parameters.maximum_average_distortion : running.energy + tolerance, result);
   }
 
   const Problem& m_problem;

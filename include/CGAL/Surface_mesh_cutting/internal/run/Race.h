@@ -62,8 +62,11 @@ public:
     for_others(runners, 1, int(runners.size()), [&](Runner& runner, int i) { begin(runner, i); });
     if(runners.front().refiner || runners.size() > 1)
       drop_same(runners);
+    m_context.control.report(Phase::REFINE, 0);
     advance(m_plan.number_of_prepared, runners, [&](Runner& runner) { prepare(runner); });
+    m_context.control.report(Phase::REFINE, 0.5);
     advance(m_plan.number_of_refined, runners, [&](Runner& runner) { refine(runner); });
+    m_context.control.report(Phase::REFINE, 1);
     return runners;
   }
 
@@ -118,6 +121,7 @@ private:
   void map(Runner& runner) const
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::CONNECT);
+    m_context.control.report(Phase::CONNECT, 0);
     auto refiner = std::make_unique<Cut_refiner>(m_problem, m_context);
     const bool matters = !m_plan.refines() && !runner.detected.is_hopeless;
     runner.detected.status = refiner->connect(runner.detected.features, matters);

@@ -83,8 +83,7 @@ private:
   // Without a bound, about the energy of the map with overlaps: more room gains nothing.
   double goal(const Open_chart& running) const
   {
-    constexpr double tolerance = 0.0195; // of the energy: less is not worth a longer cut
-    return m_objective.has_bound() ? m_objective.bound() : running.energy + tolerance;
+    return m_objective.has_bound() ? m_objective.bound() : running.energy + Cut_parameterizer::tolerance;
   }
 
   bool keeps_bound(const Component_result& result) const { return result.has_map && m_objective.keeps_bound(result.energy); }
