@@ -59,7 +59,7 @@ inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, c
   switch(effort)
   {
   case Effort::FAST:
-    plan.number_of_solves = has_bound ? 20 : affordable(24, 20000);
+    plan.number_of_solves = has_bound ? 20 : parameters.needs_optimal_tree ? 0 : affordable(24, 20000); // a tree stays one
     break;
   case Effort::DEFAULT:
     plan.number_of_starts = affordable(8, 30000);
