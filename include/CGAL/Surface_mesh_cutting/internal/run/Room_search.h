@@ -46,7 +46,6 @@ public:
   // `result`: the map without overlaps of the refiner's cut.
   void operator()(const Cut_refiner& refiner, Component_result& result) const
   {
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::PARAMETERIZE);
     const Open_chart& running = refiner.cut().chart();
     const double goal = this->goal(running);
     if(!m_parameters.do_bijective || m_parameters.use_published_method || result.energy <= goal || !m_context.control.go_further())
