@@ -76,6 +76,14 @@ struct Polygons
   }
 };
 
+// The same polygons of other vertices: `vertices[v]` for each `v`.
+inline Polygons renumbered(Polygons polygons, const std::vector<int>& vertices)
+{
+  for(int& v : polygons.vertices)
+    v = vertices[v];
+  return polygons;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL

@@ -47,7 +47,7 @@ public:
   Soup_reader(const std::vector<Point>& points, const Polygons& soup, const Welding& welding, Execution execution,
               const Go_further& go_further)
     : m_points(points), m_execution(execution), m_go_further(go_further), m_representatives(representatives(soup, welding)),
-      m_soup(of_representatives(soup)), m_parts(points, m_soup, go_further), m_polygons(m_parts.polygons()),
+      m_soup(renumbered(soup, m_representatives)), m_parts(points, m_soup, go_further), m_polygons(m_parts.polygons()),
       m_owners(m_polygons.owners()), m_former(former_duplicates(m_polygons, number_of_points(), execution)),
       m_is_used(m_polygons.ends.size(), 1)
   {
@@ -92,13 +92,6 @@ public:
   }
 
 private:
-  static Soup_surface stopped_surface()
-  {
-    Soup_surface nothing;
-    nothing.is_stopped = true;
-    return nothing;
-  }
-
   int number_of_points() const { return int(m_points.size()); }
 
   std::vector<int> representatives(const Polygons& soup, const Welding& welding)
@@ -110,13 +103,6 @@ private:
     std::vector<int> all(m_points.size());
     std::iota(all.begin(), all.end(), 0);
     return all;
-  }
-
-  Polygons of_representatives(Polygons soup) const
-  {
-    for(int& v : soup.vertices)
-      v = m_representatives[v];
-    return soup;
   }
 
   Interpretation& add(Interpretation_kind kind) { return m_findings[std::size_t(kind)]; }
@@ -399,14 +385,10 @@ private:
   const Polygons m_soup; // of the vertices that stand for others
   const Polygon_parts m_parts;
   const Polygons& m_polygons; // the parts
-  const std::vector<int> m_owners;
-  const std::vector<int> m_former;
-  std::vector<char> m_is_used;
-  std::vector<int> m_mates; // per side
-  std::vector<int> m_fans;  // per corner, one that stands for its fan
-  std::vector<char> m_is_turned;
-  std::vector<int> m_vertices; // per corner, of the surface
-  std::vector<int> m_places;   // per corner, that of the surface
+  const std::vector<int> m_owners, m_former;
+  std::vector<char> m_is_used, m_is_turned;
+  std::vector<int> m_mates, m_fans;      // per side; per corner, one that stands for its fan
+  std::vector<int> m_vertices, m_places; // per corner, of the surface
   std::vector<int> m_parts_of_surface; // per polygon of the surface
   std::array<Interpretation, 9> m_findings;
 };

@@ -45,6 +45,13 @@ struct Soup_surface
   bool is_stopped = false; // then there is nothing else
 };
 
+inline Soup_surface stopped_surface()
+{
+  Soup_surface nothing;
+  nothing.is_stopped = true;
+  return nothing;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
