@@ -202,10 +202,6 @@ class Outputs(Case):
         exit_code, report = self.report("arms.off")
         self.assertEqual((exit_code, report["overlaps"], report["flips"]), (0, 0, 0))
         self.assertFalse(has_crossing(*read_obj(self.folder / "arms.uv.obj")[1:]))
-        # The same cut, or that with slits where parts are in each other's way.
-        self.assertGreaterEqual(report["cut_length"], plain["cut_length"])
-        if report["cut_length"] == plain["cut_length"]:
-            self.assertGreaterEqual(report["E_iso"], plain["E_iso"])
         self.assertLess(report["E_iso"], plain["E_iso"] + 0.1)
 
     def test_pictures(self):

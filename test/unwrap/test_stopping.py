@@ -128,7 +128,8 @@ class Stopping(Case):
             program = self.start("face.obj", "-o", "out.obj")
             time.sleep(1)
             program.send_signal(signal.SIGINT)
-            self.assert_ends(program, 6)
+            _, message = program.communicate(timeout=5)
+            self.assertEqual(program.returncode, 6, message)
 
     def test_progress(self):
         """One estimate of the whole run, which never decreases."""
