@@ -113,23 +113,23 @@ class Stopping(Case):
         self.assertIn(exit_code, (0, 6))
 
     def test_while_triangulating(self):
-        """A single face: a comb, whose long teeth cross what connects their ends, and a ring as a polygon with a bridge."""
+        """A single face: a comb, whose long teeth cross what connects their ends, and a ring as a polygon with a bridge.
+        A run that is stopped makes do with a rough layout of less than 50,000 triangles, which takes a second or two."""
         teeth = 30000
         comb = [(2 * i + k, k * teeth, 0) for i in range(teeth) for k in range(2)] + [(2 * teeth, -1, 0), (0, -1, 0)]
-        side = 25000
+        side = 100000
         circles = [(r * math.cos(i), r * math.sin(i), 0) for r in (2, 1) for i in (2 * math.pi * k / side for k in range(side))]
         ring = [*range(side), 0, side, *range(2 * side - 1, side, -1), side]
         for mesh in (comb, [tuple(range(len(comb)))]), (circles, [tuple(ring)]):
             self.write("face.obj", to_obj(mesh))
             start = time.monotonic()
             run = self.unwrap("face.obj", "-o", "out.obj", "--time-limit", "1")
-            self.assertLess(time.monotonic() - start, 5)
+            self.assertLess(time.monotonic() - start, 1 + SLACK)
             self.assertEqual(run.returncode, 6, run.stderr)
             program = self.start("face.obj", "-o", "out.obj")
             time.sleep(1)
             program.send_signal(signal.SIGINT)
-            _, message = program.communicate(timeout=5)
-            self.assertEqual(program.returncode, 6, message)
+            self.assert_ends(program, 6)
 
     def test_progress(self):
         """One estimate of the whole run, which never decreases."""
