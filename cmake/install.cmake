@@ -17,7 +17,7 @@ install(TARGETS Surface_mesh_cutting_headers Surface_mesh_cutting EXPORT Surface
 install(EXPORT Surface_mesh_cuttingTargets
   NAMESPACE Surface_mesh_cutting:: DESTINATION ${package_dir})
 
-# What the library was compiled with.
+# The library depends on what it was compiled with.
 set(SURFACE_MESH_CUTTING_LIBRARY_DEPENDENCIES "")
 if(SURFACE_MESH_CUTTING_WITH_LIBRARY)
   foreach(library TBB METIS)

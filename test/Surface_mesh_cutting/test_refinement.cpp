@@ -164,7 +164,7 @@ void test_bounds()
   }
 }
 
-// What is minimized, against known values: the power law at a bound, and the sum without one.
+// The objective against known values: the power law at a bound, and the sum without one.
 void test_objective()
 {
   const SMC::internal::Objective sum(std::numeric_limits<double>::infinity(), 0.5);

@@ -43,7 +43,7 @@ class Efforts(Case):
         _, report = self.report(f"{name}.off", "-o", "out.obj", "--quiet", "--allow-overlap", *options)
         return report["cut_length"], report["E_iso"]
 
-    # What is minimized without a bound.
+    # The objective without a bound.
     @staticmethod
     def total(length, energy):
         return energy + 0.15 * length
@@ -74,6 +74,16 @@ class Efforts(Case):
                     _, report = self.report("cross.off", *options, effort)
                     self.assertEqual((report["status"], report["overlaps"]), ("done", 0))
                     self.assertLessEqual(report["E_iso"], 4.1)
+
+    # Slits bring the cut of the published method there, too.
+    def test_the_published_method_keeps_a_bound(self):
+        self.write("bumps.off", to_off(with_bumps(sphere(3))))
+        _, unbounded = self.report("bumps.off", "-o", "out.obj", "--quiet", "--faithful")
+        bound = (unbounded["E_iso"] + 4) / 2
+        _, report = self.report("bumps.off", "-o", "out.obj", "--quiet", "--faithful", "--max-distortion", bound)
+        self.assertEqual(report["status"], "done")
+        self.assertLessEqual(report["E_iso"], bound)
+        self.assertGreater(report["cut_length"], unbounded["cut_length"])
 
     # Where the border is cut enough, there is nothing to save; another map or two do no harm.
     def test_nothing_is_searched_where_nothing_is_cut(self):

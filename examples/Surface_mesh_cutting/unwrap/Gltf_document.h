@@ -24,7 +24,7 @@ public:
   const Json& description() const { return m_description; }
   const std::filesystem::path& folder() const { return m_folder; }
 
-  // Of a binary file. The standard says to ignore them.
+  // Chunks of a binary file that the standard says to ignore.
   bool has_unknown_chunks() const { return m_has_unknown_chunks; }
 
   // Valid as long as the document.

@@ -12,7 +12,7 @@ namespace gltf {
 
 Data_kinds kinds_of(const Document& document);
 
-// What belongs to its texture coordinates and stays as it is when these change, as words; empty if nothing does.
+// Lists, as words, the data that belong to the texture coordinates and stay as they are when these change.
 std::string list_outdated(const Document& document, bool has_new_tangents);
 
 } // namespace gltf

@@ -25,7 +25,7 @@ std::size_t edit_distance(const std::string& from, const std::string& to)
   return row.back();
 }
 
-// Of some letters.
+// Whether enough letters begin the other word to tell it.
 bool is_beginning(const std::string& word, const std::string& of)
 {
   constexpr std::size_t shortest = 5; // with the dashes of an option

@@ -17,7 +17,7 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// What corners with the same tangent have in common.
+// Corners with the same key have the same tangent.
 using Tangent_key = std::tuple<int, std::array<double, 3>, bool>;
 
 Tangent_key key_of(const Tangent_corner& corner, bool is_clockwise)
@@ -39,7 +39,7 @@ Vector direction_of_u(const Tangent_corner* triangle)
   return v2 * p1 - v1 * p2;
 }
 
-// Of unit length, or zero.
+// The part of `v` across the normal, of unit length or zero.
 Vector across(const Vector& normal, const Vector& v)
 {
   const Vector part = v - v.dot(normal) * normal;
@@ -65,10 +65,12 @@ Tangent tangent_along(const Vector& direction, bool is_clockwise)
 std::vector<Tangent> corner_tangents(const std::vector<Tangent_corner>& corners)
 {
   std::unordered_map<Tangent_key, Vector, boost::hash<Tangent_key> > sums;
+  std::vector<CGAL::Orientation> orientations; // per triangle
   for(std::size_t first = 0; first + 2 < corners.size(); first += 3)
   {
     const Tangent_corner* const triangle = &corners[first];
     const CGAL::Orientation orientation = orientation_of(triangle);
+    orientations.push_back(orientation);
     const Vector direction = int(orientation) * direction_of_u(triangle);
     if(orientation != CGAL::COLLINEAR)
       for(std::size_t k = 0; k < 3; ++k)
@@ -80,7 +82,7 @@ std::vector<Tangent> corner_tangents(const std::vector<Tangent_corner>& corners)
   tangents.reserve(corners.size());
   for(std::size_t c = 0; c < corners.size(); ++c)
   {
-    const bool is_clockwise = orientation_of(&corners[c / 3 * 3]) == CGAL::CLOCKWISE;
+    const bool is_clockwise = orientations[c / 3] == CGAL::CLOCKWISE;
     const auto sum = sums.find(key_of(corners[c], is_clockwise));
     const Vector direction = sum == sums.end() ? Vector(Vector::Zero()) : Vector(sum->second.stableNormalized());
     tangents.push_back(direction.norm() > 0.5 ? tangent_along(direction, is_clockwise) : any_tangent(corners[c].normal));

@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What refinement may do.
+// The objective of refinement, and how much work it may take.
 struct Refinement_goal
 {
   Objective objective;
@@ -49,6 +49,7 @@ struct Refinement_goal
 class Cut_refiner
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr int share = 3; // one in so many solves shortens before ends move, and one after
 
 public:
   // The references are kept. What is mandatory, and the terminals, stay on the cut.
@@ -90,7 +91,6 @@ public:
   // the bound is missed.
   bool prepare(const Refinement_goal& goal)
   {
-    constexpr int share = 3;
     if(!open_slits(goal.objective))
       return false;
     shorten(goal, goal.number_of_solves / share);
@@ -106,9 +106,9 @@ public:
     if(goal.rounds_of_moved_ends > 0 && keeps_bound)
     {
       if(!is_prepared)
-        prepare(goal);
+        shorten(goal, goal.number_of_solves / share);
       move_ends(goal);
-      solves = (std::min)(solves, (std::max)(least_solves, solves / 3));
+      solves = (std::min)(solves, (std::max)(least_solves, solves / share));
     }
     shorten(goal, solves);
   }
@@ -122,7 +122,7 @@ public:
     for(int round = 0; round < maximum_number_of_rounds && open_best_slits(objective, maximum_number_of_slits); ++round)
     {
       Mapped_cut former = m_cut.state();
-      if(m_cut.is_tree() || !reconnect(objective, infinity) || !objective.has_bound() ||
+      if(m_cut.is_tree() || !reconnect(objective, true) || !objective.has_bound() ||
          objective.keeps_bound(m_cut.energy()))
         break;
       // A few slits repair what the other tree lost; if that is longer in the end, the former one stays.
@@ -167,13 +167,8 @@ private:
       const Slit slit = m_slits.best(m_cut.map(), is_excluded);
       if(slit.tip < 0 || slit.gain_per_cost() <= objective.least_gain_per_cost())
         return !objective.has_bound();
-      if(!objective.has_bound())
-      {
-        if(!open_if_better(slit, objective))
-          return true;
-      }
-      else if(!m_cut.open(slit))
-        return false;
+      if(!(objective.has_bound() ? m_cut.open(slit) : open_if_better(slit, objective)))
+        return !objective.has_bound();
     }
     return !m_cut.is_stopped();
   }
@@ -194,7 +189,8 @@ private:
     constexpr double steps[] = {0.15, 0.05}; // of the length of the cut
     constexpr double tolerance = 0.01;       // of the energy, between two rounds
     const Objective& objective = goal.objective;
-    const auto rank = [&](const auto& cut) { return objective.rank(cut.cost, cut.energy()); };
+    const auto rank = [&](const Mapped_cut& cut) { return objective.rank(cut.cost, cut.energy()); };
+    const auto present_rank = [&] { return objective.rank(m_cut.cost(), m_cut.energy()); };
     Mapped_cut best = m_cut.state();
     End_search search(m_problem, m_parameters, objective, goal.keeps_tree, m_cut);
     for(int round = 0; round < goal.rounds_of_moved_ends; ++round)
@@ -205,27 +201,26 @@ private:
         open_slits(objective);
       if(search.best() && rank(*search.best()) < rank(best))
         best = *search.best();
-      if(rank(m_cut.state()) < rank(best))
+      if(present_rank() < rank(best))
         best = m_cut.state();
       else if(is_far)
         m_cut.restore(best);
     }
-    if(!open_slits(objective) || rank(best) < rank(m_cut.state()))
+    if(!open_slits(objective) || rank(best) < present_rank())
       m_cut.restore(std::move(best));
   }
 
-  // Takes the tree through the features instead of the present cut if it is shorter and no worse. False
-  // if the cut is not that tree then.
-  bool reconnect(const Objective& objective) { return reconnect(objective, 0); }
-  bool reconnect(const Objective& objective, double allowed_energy)
+  // Takes the tree through the features instead of the present cut if it is shorter and no worse, but that it may miss a bound
+  // on request. False if the cut is not that tree then.
+  bool reconnect(const Objective& objective, bool may_miss_bound = false)
   {
     Mapped_cut former = m_cut.state();
     m_cut.connect(m_parameters.connection_while_refining());
     if(m_cut.tree().status)
     {
       const double saved = former.cost - m_cut.cost();
-      const double largest = objective.has_bound() && allowed_energy > 0
-                             ? infinity : objective.largest_energy(former.energy(), saved);
+      const double largest = objective.has_bound() && may_miss_bound ? infinity
+                                                                     : objective.largest_energy(former.energy(), saved);
       if(m_cut.tree().cut == former.chart.cut || (saved > 0 && m_cut.map_tree(largest)))
         return true;
       former.tree = m_cut.tree();

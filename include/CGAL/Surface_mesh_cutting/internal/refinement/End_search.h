@@ -34,8 +34,8 @@ namespace internal {
 
 // Moves the ends of a cut about: trims or prolongs a branch, lets its end slide aside, or opens a slit elsewhere
 // instead. The outer part of the branch is closed, and windows around slits to other ends tell what each of them would
-// gain, relative to what closing has cost. The ways between the ends move to where the map is distorted. The cut stays
-// near a bound of the energy, above or below it.
+// gain, relative to what closing has cost. The ways between the ends move to where the map is distorted. With a bound of the
+// energy, the cut stays near it, above or below.
 class End_search
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ class End_search
   static constexpr double worthwhile = 0.9995; // of the cost: less is not worth another cut
 
 public:
-  // The references are kept. `keeps_tree`: see `Refinement_limits`.
+  // The references are kept. `keeps_tree`: see `Refinement_goal`.
   End_search(const Problem& problem, const Cutting_parameters& parameters, const Objective& objective, bool keeps_tree,
              Working_cut& cut)
     : m_problem(problem), m_mesh(problem.mesh), m_parameters(parameters), m_keeps_tree(keeps_tree), m_cut(cut),
@@ -94,7 +94,7 @@ public:
     }
   }
 
-  // The cheapest cut at the bound that the search has come by, if any.
+  // The best cut that keeps the bound and that the search has come by, if any.
   const std::optional<Mapped_cut>& best() const { return m_best; }
 
   // Whether the surface is not too large.
@@ -141,7 +141,7 @@ private:
     return is_better_than(former);
   }
 
-  // The slit that makes the cut cheapest at the bound, by the running map; the tip is -1 if none does.
+  // The slit that lowers the objective most, by the running map; the tip is -1 if none does.
   Slit best_slit(const Branch_removal& part, double former_energy)
   {
     constexpr int number_of_far_ends = 3;

@@ -73,13 +73,13 @@ public:
 private:
   void try_cut(Cut_refiner& refiner, double goal, bool shortens, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
   {
-    const double energy = take_if_better(refiner, goal, cut, overlapping);
+    const double energy = take_if_better(refiner, cut, overlapping);
     if(shortens && shorten(energy, goal, refiner))
-      take_if_better(refiner, goal, cut, overlapping);
+      take_if_better(refiner, cut, overlapping);
   }
 
   // Returns the energy of the map without overlaps.
-  double take_if_better(const Cut_refiner& refiner, double goal, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
+  double take_if_better(const Cut_refiner& refiner, Injective_cut& cut, std::optional<Open_chart>& overlapping) const
   {
     Injective_cut other;
     const Open_chart& running = refiner.cut().chart();
@@ -87,7 +87,7 @@ private:
     if(newton.outcome == Newton_outcome::FAILED)
       return infinity;
     other.map.energy = newton.energy;
-    const Objective given(m_context.parameters), objective = given.has_bound() ? Objective(goal, 0) : given;
+    const Objective objective(m_context.parameters);
     if(objective(refiner.cut().cost(), newton.energy) < objective(cut_cost(m_problem.constraints, cut.cut), cut.map.energy))
     {
       other.cut = refiner.cut().cut();

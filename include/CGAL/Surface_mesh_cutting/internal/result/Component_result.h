@@ -15,10 +15,13 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/refinement/Objective.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +44,12 @@ struct Component_result
   std::vector<Eigen::Vector2d> uv;
   double energy = 0;
   std::vector<Trade_off> trade_offs; // of all cuts that were mapped
+
+  // See `Objective::rank()`; last without a map.
+  std::pair<double, double> rank(const Objective& objective) const
+  {
+    return objective.rank(cost, has_map ? energy : std::numeric_limits<double>::infinity());
+  }
 
   void add(const std::vector<Trade_off>& others)
   {

@@ -20,10 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/early_result.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
-
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -128,8 +125,7 @@ private:
     });
   }
 
-  // Finishes the best ones; more where these miss the bound, or need a much longer cut for want of room: another start may lead
-  // to another chart.
+  // Finishes the best one; more where it misses the bound or pays much for room: another start may lead to another chart.
   template <typename Finish>
   std::vector<Component_result> results_of_race(const Race& race, const Run_plan& plan, const Context& context,
                                                 const Finish& finish) const
@@ -137,14 +133,9 @@ private:
     std::vector<Runner> runners = race.run();
     if(!runners.front().refiner)
       return {Finisher::result_without_cut(runners.front().detected)};
-    std::vector<Component_result> results(1);
-    Surface_mesh_parameterization::internal::execute(m_context.execution, int(results.size()), [&](int i)
-    {
-      if(i == 0 || context.control.go_further())
-        results[i] = finish(runners[i]);
-    });
+    std::vector<Component_result> results(1, finish(runners[0]));
     const int last = (std::min)(plan.number_of_finalists, int(runners.size()));
-    for(int i = int(results.size()); i < last && goes_on_after(results) && context.control.go_further(); ++i)
+    for(int i = 1; i < last && goes_on_after(results) && context.control.go_further(); ++i)
     {
       race.complete(runners[i]);
       results.push_back(finish(runners[i]));
@@ -154,7 +145,7 @@ private:
 
   bool goes_on_after(const std::vector<Component_result>& results) const
   {
-    constexpr double much = 0.03;
+    constexpr double much = 0.03; // of the objective
     return std::all_of(results.begin(), results.end(), [&](const Component_result& r)
                        { return !r.has_map || !m_objective.keeps_bound(r.energy) || r.loss_for_room > much; });
   }
@@ -183,10 +174,8 @@ private:
 
   Component_result best_of(std::vector<Component_result>& results) const
   {
-    const auto rank = [this](const Component_result& r)
-    { return m_objective.rank(r.cost, r.has_map ? r.energy : std::numeric_limits<double>::quiet_NaN()); };
-    Component_result& best = *std::min_element(results.begin(), results.end(),
-                                               [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    Component_result& best = *std::min_element(results.begin(), results.end(), [this](const auto& a, const auto& b)
+                                               { return a.rank(m_objective) < b.rank(m_objective); });
     if(results.size() == 1)
       return std::move(best);
     std::vector<Trade_off> seen;

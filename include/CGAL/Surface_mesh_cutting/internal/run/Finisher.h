@@ -37,7 +37,8 @@ class Finisher
 public:
   // The references are kept.
   Finisher(const Problem& problem, const Context& context, const Run_plan& plan)
-    : m_problem(problem), m_parameters(context.parameters), m_context(context), m_control(context.control), m_plan(plan), m_objective(context.parameters),
+    : m_problem(problem), m_parameters(context.parameters), m_context(context), m_control(context.control), m_plan(plan),
+      m_objective(context.parameters),
       m_parameterizer(problem, context), m_room_search(context, m_parameterizer, plan.rounds_of_moved_ends > 0)
   {}
 
@@ -49,7 +50,7 @@ public:
     if(!result.status || !connect(refiner, detected, result) || !(needs_map || corrects()) || !map(refiner, result))
       return result;
     if(corrects())
-      refine(refiner, {Objective(m_parameters), m_plan.corrective_solves, false, m_plan.corrective_rounds});
+      refine(refiner, {m_objective, m_plan.corrective_solves, false, m_plan.corrective_rounds});
     finish(refiner, result);
     return result;
   }
@@ -80,7 +81,7 @@ public:
       results.push_back(std::move(completed));
     if(!m_control.go_further())
       return results;
-    refine(refiner, {Objective(m_parameters), m_plan.number_of_solves, false, m_plan.rounds_of_moved_ends});
+    refine(refiner, {m_objective, m_plan.number_of_solves, false, m_plan.rounds_of_moved_ends});
     finish(refiner, shortened);
     if(shortened.has_map)
       results.push_back(std::move(shortened));
@@ -97,7 +98,8 @@ public:
   }
 
 private:
-  bool corrects() const { return m_plan.corrective_solves > 0 || m_plan.corrective_rounds > 0; }
+  // The published method has a bound only here.
+  bool corrects() const { return m_objective.has_bound() || m_plan.corrective_rounds > 0; }
 
   bool connect(Cut_refiner& refiner, const Detected_features& detected, Component_result& result) const
   {
@@ -137,7 +139,8 @@ private:
   {
     m_control.report(Phase::PARAMETERIZE, 0);
     map(refiner, result, true);
-    result.loss_for_room = m_objective(result.cost, result.energy) / m_objective(refiner.cut().cost(), refiner.cut().running_energy()) - 1;
+    result.loss_for_room = m_objective(result.cost, result.energy) /
+                             m_objective(refiner.cut().cost(), refiner.cut().running_energy()) - 1;
     say_if_missed(result);
     result.add(refiner.cut().trade_offs());
     result.keep_undominated_trade_offs();

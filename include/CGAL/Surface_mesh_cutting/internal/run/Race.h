@@ -59,9 +59,8 @@ public:
   {
     std::vector<Runner> runners(m_plan.number_of_starts);
     begin(runners[0], 0);
-    for_others(runners, 1, int(runners.size()), [&](Runner& runner, int i) { begin(runner, i); });
-    if(runners.front().refiner || runners.size() > 1)
-      drop_same(runners);
+    execute(runners, 1, int(runners.size()), [&](Runner& runner, int i) { begin(runner, i); });
+    drop_same(runners);
     m_context.control.report(Phase::REFINE, 0);
     advance(m_plan.number_of_prepared, runners, [&](Runner& runner) { prepare(runner); });
     m_context.control.report(Phase::REFINE, 0.5);
@@ -166,12 +165,13 @@ private:
   {
     sort(runners, int(runners.size()));
     number = (std::min)(number, int(runners.size()));
-    for_others(runners, 0, number, [&](Runner& runner, int) { stage(runner); });
+    execute(runners, 0, number, [&](Runner& runner, int) { stage(runner); });
     sort(runners, number);
   }
 
+  // Side by side; if the run is stopped, the first one alone.
   template <typename Function>
-  void for_others(std::vector<Runner>& runners, int first, int end, const Function& function) const
+  void execute(std::vector<Runner>& runners, int first, int end, const Function& function) const
   {
     Surface_mesh_parameterization::internal::execute(m_context.execution, end - first, [&](int i)
     {

@@ -59,7 +59,7 @@ public:
       open_slits(crowded[0], goal, result);
     if(!lacks(little))
       return;
-    if(auto overlapping = reglue(running, goal, result))
+    if(auto overlapping = m_parameterizer.reglue(running, goal, m_objective.has_bound(), result))
       crowded.push_back({result, std::move(*overlapping)});
     if(crowded.size() > 1 || (m_parameters.widens_search() && !is_near))
       open_slits(crowded.back(), goal, result);
@@ -90,15 +90,9 @@ private:
 
   void take_better(Component_result other, Component_result& result) const
   {
-    const auto rank = [this](const Component_result& r) { return m_objective.rank(r.cost, r.has_map ? r.energy : infinity); };
-    if(rank(other) < rank(result))
+    if(other.rank(m_objective) < result.rank(m_objective))
       std::swap(other, result);
     result.add(other.trade_offs);
-  }
-
-  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, Component_result& result) const
-  {
-    return m_parameterizer.reglue(overlapping, goal, m_objective.has_bound(), result);
   }
 
   // The effort decides whether the cut is shortened after slits.

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What a run does, decided once from the parameters and the size of the surface. Solves are of the whole surface on which
+// The work of a run, decided once from the parameters and the size of the surface. Solves are of the whole surface on which
 // the cut is searched for.
 struct Run_plan
 {
