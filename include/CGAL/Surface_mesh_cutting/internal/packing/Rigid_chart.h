@@ -15,8 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Chart_rotation.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/Rigid_motion.h>
-#include <CGAL/Surface_mesh_cutting/internal/mapping/winding_of_segment.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Rigid_motion.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/winding_of_segment.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Distance_field.h>
 
 #include <algorithm>

@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_joining.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/End_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_refiner.h>
-#include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_regluer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_trimmer.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
@@ -31,7 +30,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,8 +37,8 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, parts are glued
-// elsewhere, slits let them turn aside, or seams divide several charts.
+// Makes the map to return from a mapped cut. Where it must not overlap and the plane has too little room, slits let
+// parts turn aside, or seams divide several charts.
 class Cut_parameterizer
 {
 public:
@@ -76,23 +74,6 @@ public:
     result.is_tree_proven = !m_problem.is_opened && tree.is_optimal;
     result.is_optimal = result.is_tree_proven && cut.is_connected() && edges == tree.cut;
     result.number_of_auxiliary_points = tree.number_of_auxiliary_points;
-  }
-
-  // Rearranges parts that are in each other's way, if that is likely to cost less than slits. Returns the best map of the
-  // other cut that may overlap; none if all stays. See `Injective_regluer`.
-  std::optional<Open_chart> reglue(const Open_chart& overlapping, double goal, bool shortens, Component_result& result) const
-  {
-    if(!result.has_map || result.energy <= goal)
-      return std::nullopt;
-    Injective_cut injective = injective_cut(result);
-    std::optional<Open_chart> rearranged = Injective_regluer(m_problem, m_context, hopeless)
-                                             .reglue(overlapping, goal, shortens, injective, result.trade_offs);
-    if(rearranged)
-    {
-      result.number_of_auxiliary_points = 0; // where the cut forks, it has ends
-      take_other_ends(std::move(injective), result);
-    }
-    return rearranged;
   }
 
   // Opens slits until the energy of the map without overlaps is at most `goal`, if that is possible: where the plane

@@ -20,21 +20,18 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <utility>
-#include <vector>
 
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Makes room for a map without overlaps where the one of a given cut is too much worse than that with overlaps. Three remedies:
-// slits so that parts can bend apart, parts glued elsewhere, and several charts; the objective decides.
+// Makes room for a map without overlaps where the one of a given cut is too much worse than that with overlaps. Two remedies:
+// slits, so that parts can bend apart, and several charts; the objective decides.
 class Room_search
 {
   static constexpr double ideal = Symmetric_Dirichlet_energy::ideal, infinity = std::numeric_limits<double>::infinity();
-  static constexpr double little = 0.02, much = 0.1; // losses of the objective, relative
 
 public:
   // The references are kept. `moves_ends`: whether the ends of cuts that have room are moved.
@@ -50,34 +47,18 @@ public:
     const double goal = this->goal(running);
     if(!m_parameters.do_bijective || m_parameters.use_published_method || result.energy <= goal || !m_context.control.go_further())
       return;
-    std::vector<Crowded> crowded{{result, running}};
-    crowded[0].result.trade_offs.clear();
-    const auto lacks = [&](double loss)
-    { return !(keeps_bound(result) && value(result) <= (1 + loss) * m_objective(refiner.cut().cost(), running.energy)); };
-    const bool is_near = result.has_map && result.energy - goal <= near * (goal - ideal);
-    if(is_near)
-      open_slits(crowded[0], goal, result);
-    if(!lacks(little))
-      return;
-    if(auto overlapping = m_parameterizer.reglue(running, goal, m_objective.has_bound(), result))
-      crowded.push_back({result, std::move(*overlapping)});
-    if(crowded.size() > 1 || (m_parameters.widens_search() && !is_near))
-      open_slits(crowded.back(), goal, result);
-    if(lacks(much))
-      divide(crowded, goal, result);
-    if(lacks(much) && m_parameters.widens_search() && !is_near && crowded.size() > 1)
-      open_slits(crowded[0], goal, result);
+    Component_result crowded = result;
+    crowded.trade_offs.clear();
+    constexpr double much = 0.1; // relative
+    const double limit = (1 + much) * m_objective(refiner.cut().cost(), running.energy);
+    if(m_parameters.widens_search() || (result.has_map && result.energy - goal <= near * (goal - ideal)))
+      open_slits(crowded, running, goal, result);
+    if(!keeps_bound(result) || value(result) > limit)
+      divide(crowded, running, goal, result);
   }
 
 private:
   static constexpr double near = 0.1; // above the goal, relative to what that leaves above the ideal
-
-  // A map without overlaps that has too little room, and the best one of the same cut that may overlap.
-  struct Crowded
-  {
-    Component_result result;
-    Open_chart overlapping;
-  };
 
   // Without a bound, about the energy of the map with overlaps: more room gains nothing.
   double goal(const Open_chart& running) const
@@ -96,10 +77,9 @@ private:
   }
 
   // The effort decides whether the cut is shortened after slits.
-  void open_slits(const Crowded& crowded, double goal, Component_result& result) const
+  void open_slits(Component_result relieved, const Open_chart& overlapping, double goal, Component_result& result) const
   {
-    Component_result relieved = crowded.result;
-    m_parameterizer.relieve(crowded.overlapping, goal, relieved);
+    m_parameterizer.relieve(overlapping, goal, relieved);
     if(keeps_bound(relieved) && m_parameters.widens_search())
       shorten(relieved);
     if(keeps_bound(relieved))
@@ -116,14 +96,10 @@ private:
       m_parameterizer.trim(m_objective, result); // that may have left some room below the bound
   }
 
-  void divide(const std::vector<Crowded>& crowded, double goal, Component_result& result) const
+  void divide(Component_result divided, const Open_chart& overlapping, double goal, Component_result& result) const
   {
-    for(const Crowded& c : crowded)
-    {
-      Component_result divided = c.result;
-      if(c.overlapping.energy <= goal && m_context.control.go_further() && m_parameterizer.divide(c.overlapping, goal, divided))
-        take_better(std::move(divided), result);
-    }
+    if(overlapping.energy <= goal && m_context.control.go_further() && m_parameterizer.divide(overlapping, goal, divided))
+      take_better(std::move(divided), result);
   }
 
   const Context m_context;

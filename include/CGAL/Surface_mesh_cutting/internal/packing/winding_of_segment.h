@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_WINDING_OF_SEGMENT_H
-#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_WINDING_OF_SEGMENT_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_WINDING_OF_SEGMENT_H
+#define CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_WINDING_OF_SEGMENT_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
@@ -35,4 +35,4 @@ inline int winding_of_segment(const Eigen::Vector2d& source, const Eigen::Vector
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_MAPPING_WINDING_OF_SEGMENT_H
+#endif // CGAL_SURFACE_MESH_CUTTING_INTERNAL_PACKING_WINDING_OF_SEGMENT_H
