@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/context/work.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Kept_solver.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Local_window.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Mapping_policy.h>
@@ -123,12 +124,8 @@ public:
   // Whether no cut seems to lead to a useful map. Then every slit gains: searches for slits need a limit.
   bool is_hopeless() const { return m_state.energy > hopeless_energy; }
 
-  // Whether the map is hopeless after so much work on such maps, about ten seconds, that no more is worth it.
-  bool is_given_up() const
-  {
-    constexpr double enough_solved_faces = 4e6; // one for each triangle in each factorization
-    return is_hopeless() && m_hopeless_solved_faces > enough_solved_faces;
-  }
+  // Whether the map is hopeless after so much work on such maps that no more is worth it.
+  bool is_given_up() const { return is_hopeless() && m_hopeless_solved_faces > work_of_stage; }
 
   // Far from the optimum, which a slit that changes much can leave the map, starting anew through
   // the hierarchy takes fewer solves than going on. A hopeless map came from there already; the paper
@@ -302,24 +299,25 @@ private:
   enum class Verdict { USEFUL, USELESS, UNCLEAR };
 
   // Decides from windows around the slit that grow until the answer is clear. What a window gains with the
-  // rest held fixed is a part of the full gain. How small a part was measured for 600 slits: where the full gain was
-  // more than the threshold, the factors here missed it three times with the first window, once with the second, never
-  // with larger ones. The first one, which decides two thirds of all, is for estimates alone.
+  // rest held fixed is a part of the full gain, the larger the window is. How small a part was measured for 600 slits:
+  // where the full gain was more than the threshold, at most six times that of the first window, four times that of the
+  // second, and three times those of larger ones missed it four times in all. The first one, which decides two thirds of
+  // all, is for estimates alone.
   Verdict judge_locally(const std::vector<int>& slit, double threshold)
   {
-    struct Window { double radius, largest_factor; };
-    constexpr Window windows[] = {{0.5, 6}, {1, 4}, {2, 3}, {4, 3}};
+    constexpr double first_radius = 0.5, last_radius = 4; // in lengths of the slit
+    constexpr double least_factor = 3;                    // between the full gain and that of a large window
+    const double length = total_length(m_mesh, slit);
     double gain = 0;
-    for(const Window& window : windows)
+    for(double radius = m_policy.uses_estimates ? first_radius : 2 * first_radius; radius <= last_radius; radius *= 2)
     {
-      if(&window == windows && !m_policy.uses_estimates)
-        continue;
-      if(!m_window.collect(slit, window.radius * total_length(m_mesh, slit)))
+      if(!m_window.collect(slit, radius * length))
         break;
       gain += solve_window(threshold, gain);
       if(gain > threshold || !m_go_further())
         return Verdict::USEFUL;
-      if(m_policy.uses_estimates && window.largest_factor * gain < threshold)
+      const double largest_factor = least_factor * (1 + first_radius / radius);
+      if(m_policy.uses_estimates && largest_factor * gain < threshold)
         return Verdict::USELESS;
     }
     return Verdict::UNCLEAR;

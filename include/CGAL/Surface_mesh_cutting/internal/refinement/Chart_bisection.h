@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/internal/context/work.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
@@ -132,8 +133,8 @@ private:
   // Each is a search in the whole part: few in large ones.
   std::size_t largest_number_of_paths() const
   {
-    constexpr int most = 16, enough_faces = 1000000; // of all searches in the part
-    return std::clamp(enough_faces / m_disk.number_of_faces(), 1, most);
+    constexpr int most = 16;
+    return std::clamp(affordable_steps(m_disk.number_of_faces()), 1, most);
   }
 
   // The two vertices of a path that lie on the border, by their positions there, the lower one first.

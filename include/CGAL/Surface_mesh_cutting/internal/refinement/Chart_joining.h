@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/work.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Chart_division.h>
@@ -135,11 +136,7 @@ private:
   }
 
   // For further trials; joints that are known to be possible take none.
-  bool has_time() const
-  {
-    constexpr double enough_solved_faces = 1e7; // one for each triangle in each factorization: some twenty seconds
-    return m_number_of_solved_faces <= enough_solved_faces;
-  }
+  bool has_time() const { return m_number_of_solved_faces <= work_of_stage; }
 
   Connected_parts current_parts() const { return Connected_parts(make_chart(m_problem.mesh, m_cut).opposites()); }
 
@@ -147,7 +144,7 @@ private:
   // one by one, as long as there is time, once two parts have been joined.
   std::vector<Joint> first_joints(const Connected_parts& parts) const
   {
-    constexpr double enough_faces = 400000; // of all their parts
+    constexpr double solves_of_trial = 5, enough_faces = work_of_stage / solves_of_trial; // of all their parts
     std::vector<int> sizes(parts.number, 0);
     for(int part : parts.part)
       ++sizes[part];

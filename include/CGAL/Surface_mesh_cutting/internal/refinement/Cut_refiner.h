@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/connection/Initial_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/work.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/End_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Objective.h>
@@ -97,16 +98,13 @@ public:
     return true;
   }
 
-  // Does all that the goal allows, on a cut that prepare() has seen or not.
-  void refine(const Refinement_goal& goal, bool is_prepared = false)
+  // Does all else that the goal allows; call after prepare().
+  void refine(const Refinement_goal& goal)
   {
     constexpr int least_solves = 8; // after ends moved, which leaves some room below the bound
     int solves = goal.number_of_solves;
-    const bool keeps_bound = is_prepared || open_slits(goal.objective);
-    if(goal.rounds_of_moved_ends > 0 && keeps_bound)
+    if(goal.rounds_of_moved_ends > 0 && goal.objective.keeps_bound(m_cut.energy()))
     {
-      if(!is_prepared)
-        shorten(goal, goal.number_of_solves / share);
       move_ends(goal);
       solves = (std::min)(solves, (std::max)(least_solves, solves / share));
     }
@@ -152,13 +150,12 @@ public:
 
 private:
   // A bound that so many slits do not reach is out of reach: bounds that are reached take less than half as many, but
-  // for surfaces with many handles, which are distorted everywhere. Each slit takes a solve of the whole; on small
-  // surfaces, all take about half a minute.
+  // for surfaces with many handles, which are distorted everywhere. Each slit takes a solve of the whole.
   bool open_best_slits(const Objective& objective, int maximum_number_of_slits)
   {
-    constexpr int enough_slits = 200, enough_slits_between_handles = 1000, enough_solved_faces = 2000000;
+    constexpr int enough_slits = 200, enough_slits_between_handles = 1000;
     const int all_slits = (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
-                                     enough_solved_faces / m_mesh.number_of_faces());
+                                     affordable_steps(m_mesh.number_of_faces()));
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     for(int i = 0; !(objective.has_bound() && objective.keeps_bound(m_cut.energy())); ++i)
     {

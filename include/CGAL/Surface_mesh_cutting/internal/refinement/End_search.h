@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/work.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Objective.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
@@ -108,11 +109,10 @@ private:
       m_best = m_cut.state();
   }
 
-  // Each takes solves of the whole surface: fewer on large ones, and none on the largest.
   int maximum_number_of_ends() const
   {
-    constexpr int enough_ends = 40, enough_faces = 250000;
-    return (std::min)(enough_ends, enough_faces / m_mesh.number_of_faces());
+    constexpr int solves = 8; // of the whole surface, for each end
+    return affordable_steps(m_mesh.number_of_faces(), solves);
   }
 
   // Of the map that counts, if the running map leaves a chance: its energy is known, and no higher.

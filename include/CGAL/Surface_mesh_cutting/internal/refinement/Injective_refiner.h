@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/work.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Incremental_parameterization.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/vertex_distortion.h>
@@ -98,8 +99,7 @@ public:
 private:
   bool has_time() const
   {
-    constexpr double enough_solved_faces = 2e6; // one for each triangle in each factorization: some ten seconds
-    return m_number_of_solved_faces <= enough_solved_faces && m_context.control.go_further();
+    return m_number_of_solved_faces <= work_of_stage && m_context.control.go_further();
   }
 
   double cost(const Injective_cut& cut) const { return cut_cost(m_problem.constraints, cut.cut); }

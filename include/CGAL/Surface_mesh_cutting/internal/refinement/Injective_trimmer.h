@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
+#include <CGAL/Surface_mesh_cutting/internal/context/work.h>
 #include <CGAL/Surface_mesh_cutting/internal/mapping/final_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Branch_removal_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Injective_cut.h>
@@ -69,11 +70,10 @@ public:
   }
 
 private:
-  // Each takes two solves of the whole surface: fewer on large ones, and none on the largest.
   int maximum_number_of_parts() const
   {
-    constexpr int enough_parts = 24, enough_faces = 240000;
-    return (std::min)(enough_parts, enough_faces / m_problem.mesh.number_of_faces());
+    constexpr int solves = 8; // of the whole surface, for each part: with and without overlaps
+    return affordable_steps(m_problem.mesh.number_of_faces(), solves);
   }
 
   // Without the part. If its energy is above the bound even where parts of the chart may overlap, then that one, as far as

@@ -50,7 +50,7 @@ public:
     if(!result.status || !connect(refiner, detected, result) || !(needs_map || corrects()) || !map(refiner, result))
       return result;
     if(corrects())
-      refine(refiner, {m_objective, m_plan.corrective_solves, false, m_plan.corrective_rounds});
+      refine(refiner, {m_objective, m_plan.corrective_solves, false, (std::min)(m_plan.rounds_of_moved_ends, 1)});
     finish(refiner, result);
     return result;
   }
@@ -99,7 +99,7 @@ public:
 
 private:
   // The published method has a bound only here.
-  bool corrects() const { return m_objective.has_bound() || m_plan.corrective_rounds > 0; }
+  bool corrects() const { return m_objective.has_bound() || m_plan.corrective_solves > 0; }
 
   bool connect(Cut_refiner& refiner, const Detected_features& detected, Component_result& result) const
   {
@@ -131,6 +131,7 @@ private:
   {
     const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
     m_control.report(Phase::REFINE, 0);
+    refiner.prepare(goal);
     refiner.refine(goal);
     m_control.report(Phase::REFINE, 1);
   }

@@ -38,10 +38,10 @@ struct Runner
 {
   Detected_features detected;
   std::unique_ptr<Cut_refiner> refiner; // none if no cut was mapped
-  bool is_prepared = false, is_refined = false;
 };
 
-// A race of several starts by halving: all are mapped, and the objective decides which ones are worth the next stage. On one
+// A race of several starts by halving: all are mapped, the better half by the objective is brought to the bound and
+// shortened, and the better half of these is refined further. On one
 // resolution of a surface; features of most starts are detected on still coarser versions, which takes little time and leads
 // to different cuts.
 class Race
@@ -61,19 +61,13 @@ public:
     begin(runners[0], 0);
     execute(runners, 1, int(runners.size()), [&](Runner& runner, int i) { begin(runner, i); });
     drop_same(runners);
+    sort(runners);
     m_context.control.report(Phase::REFINE, 0);
-    advance(m_plan.number_of_prepared, runners, [&](Runner& runner) { prepare(runner); });
+    advance(m_plan.number_of_prepared(), runners, [&](Cut_refiner& refiner) { refiner.prepare(m_goal); });
     m_context.control.report(Phase::REFINE, 0.5);
-    advance(m_plan.number_of_refined, runners, [&](Runner& runner) { refine(runner); });
+    advance(m_plan.number_of_refined(), runners, [&](Cut_refiner& refiner) { refiner.refine(m_goal); });
     m_context.control.report(Phase::REFINE, 1);
     return runners;
-  }
-
-  // Does what a runner that was left behind has missed.
-  void complete(Runner& runner) const
-  {
-    prepare(runner);
-    refine(runner);
   }
 
 private:
@@ -139,34 +133,21 @@ private:
     runner.refiner = std::move(refiner);
   }
 
-  void prepare(Runner& runner) const
-  {
-    if(!runner.refiner || runner.is_prepared || !m_plan.refines())
-      return;
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
-    runner.is_prepared = true;
-    runner.refiner->prepare(m_goal);
-  }
-
-  void refine(Runner& runner) const
-  {
-    if(!runner.refiner || runner.is_refined || !m_plan.refines())
-      return;
-    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
-    runner.is_refined = true;
-    runner.refiner->refine(m_goal, runner.is_prepared);
-  }
-
   double value(const Cut_refiner& refiner) const { return m_goal.objective(refiner.cut().cost(), refiner.cut().energy()); }
 
-  // The first ones do the next stage, and the best of them come first then.
+  // The best `number` do the next stage; the others are given up.
   template <typename Stage>
   void advance(int number, std::vector<Runner>& runners, const Stage& stage) const
   {
-    sort(runners, int(runners.size()));
-    number = (std::min)(number, int(runners.size()));
-    execute(runners, 0, number, [&](Runner& runner, int) { stage(runner); });
-    sort(runners, number);
+    if(int(runners.size()) > number)
+      runners.resize(number);
+    execute(runners, 0, int(runners.size()), [&](Runner& runner, int)
+    {
+      const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+      if(runner.refiner && m_plan.refines())
+        stage(*runner.refiner);
+    });
+    sort(runners);
   }
 
   // Side by side; if the run is stopped, the first one alone.
@@ -180,11 +161,11 @@ private:
     });
   }
 
-  void sort(std::vector<Runner>& runners, int number) const
+  void sort(std::vector<Runner>& runners) const
   {
     const auto rank = [this](const Runner& runner)
     { return runner.refiner ? value(*runner.refiner) : std::numeric_limits<double>::infinity(); };
-    std::stable_sort(runners.begin(), runners.begin() + number, [&](const Runner& a, const Runner& b) { return rank(a) < rank(b); });
+    std::stable_sort(runners.begin(), runners.end(), [&](const Runner& a, const Runner& b) { return rank(a) < rank(b); });
   }
 
   // Keeps the first one with the same features.

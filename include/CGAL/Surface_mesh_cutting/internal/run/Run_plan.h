@@ -31,13 +31,12 @@ struct Run_plan
 {
   int number_of_faces = 0;       // of the coarser version on which a cut is searched for; 0: the surface itself
   int number_of_starts = 1;      // whose features are detected, connected, and mapped
-  int number_of_prepared = 1;    // the most promising of these, brought to the bound
-  int number_of_refined = 1;     // the most promising of these, refined further
-  int number_of_finalists = 1;   // of these, lifted to the surface and mapped as asked for
   int number_of_solves = 0;      // at most, for shortening each of them
   int rounds_of_moved_ends = 0;  // at most
-  int corrective_solves = 0;     // at most, on the surface if the search was on a coarser version
-  int corrective_rounds = 0;     // the same, of moved ends
+  int corrective_solves = 0;     // at most, on the surface itself if the search was on a coarser version
+
+  int number_of_prepared() const { return (number_of_starts + 1) / 2; }    // the better half, brought to the bound
+  int number_of_refined() const { return (number_of_prepared() + 1) / 2; } // the better half of these, refined further
 
   bool is_coarsened() const { return number_of_faces > 0; }
   bool refines() const { return number_of_solves > 0; }
@@ -56,35 +55,28 @@ inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, c
     return plan;
   const int faces = plan.is_coarsened() ? plan.number_of_faces : all_faces;
   const auto affordable = [faces](int most, int work) { return (std::max)(1, (std::min)(most, work / faces)); };
+  const int length_of_way = has_bound ? 3 : 1; // without a bound, a cut is near its optimum from the start
   switch(effort)
   {
   case Effort::FAST:
-    plan.number_of_solves = has_bound ? 20 : parameters.needs_optimal_tree ? 0 : affordable(24, 20000); // a tree stays one
+    plan.number_of_solves = !has_bound && parameters.needs_optimal_tree ? 0 : affordable(24, 20000 * length_of_way);
     break;
   case Effort::DEFAULT:
     plan.number_of_starts = affordable(8, 30000);
-    plan.number_of_prepared = affordable(6, 20000);
-    plan.number_of_refined = affordable(3, 10000);
-    plan.number_of_finalists = parameters.do_bijective ? affordable(4, 10000) : 1;
-    plan.number_of_solves = has_bound ? affordable(60, 300000) : affordable(60, 100000);
+    plan.number_of_solves = affordable(60, 100000 * length_of_way);
     plan.rounds_of_moved_ends = has_bound ? 2 : 1;
-    plan.corrective_rounds = has_bound ? 1 : 0;
     break;
   case Effort::BEST:
     plan.number_of_starts = 24;
-    plan.number_of_prepared = 12;
-    plan.number_of_refined = 6;
-    plan.number_of_finalists = parameters.do_bijective ? 6 : 1;
-    plan.number_of_solves = has_bound ? 200 : 100;
+    plan.number_of_solves = affordable(200, 500000 * length_of_way);
     plan.rounds_of_moved_ends = 3;
-    plan.corrective_rounds = 1;
     break;
   }
   if(is_given || problem.is_opened)
-    plan.number_of_starts = plan.number_of_prepared = plan.number_of_refined = plan.number_of_finalists = 1;
+    plan.number_of_starts = 1;
   if(problem.is_opened || problem.has_many_handles) // too many ends
-    plan.rounds_of_moved_ends = plan.corrective_rounds = 0;
-  if(has_bound)
+    plan.rounds_of_moved_ends = 0;
+  if(has_bound || effort == Effort::BEST)
     plan.corrective_solves = 8;
   return plan;
 }
