@@ -1,12 +1,15 @@
 # Programs of one source each, compiled in few units, since most of the time would go to what all of them include. Each has
-# its own `main()`, and defines all else in a namespace of its own.
+# its own `main()`; tests define all else in a namespace of their own, examples nothing that others define otherwise.
+
+# With flags or types of their own.
+set(separate_programs test_headers_alone test_openmesh draw_cut_example openmesh_example unwrap_polyhedron_example)
 
 # unite_programs_of(FOLDER SIZE): up to SIZE programs that follow each other in the folder's list become one unit, of which
 # each of them consists; it runs the `main()` of the program that it is called as.
 function(unite_programs_of folder size)
   get_property(programs DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
-  list(REMOVE_ITEM programs test_headers_alone test_openmesh) # with flags of their own
-  list(FILTER programs INCLUDE REGEX "^test_")
+  list(REMOVE_ITEM programs ${separate_programs})
+  list(FILTER programs INCLUDE REGEX "^test_|_example$")
   list(LENGTH programs number)
   if(number GREATER 0)
     math(EXPR last "${number} - 1")
