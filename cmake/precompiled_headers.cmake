@@ -4,8 +4,6 @@
 
 # Of other projects, from small to large.
 set(precompiled_sets graph numbers parameters predicates solvers surface cutting cutting_of_surface)
-# With GCC, a set takes up to half a gigabyte: programs use few.
-set(precompiled_sets_of_programs graph numbers solvers surface cutting_of_surface)
 
 set(precompiled_graph
   boost/graph/graph_traits.hpp boost/property_map/property_map.hpp boost/graph/detail/d_ary_heap.hpp)
@@ -71,26 +69,6 @@ endfunction()
 
 # What most sources of the program unwrap include.
 set(precompiled_mesh CGAL/Simple_cartesian.h CGAL/Surface_mesh.h)
-
-# precompile_headers_of(FOLDER): for all programs of a single source in it
-function(precompile_headers_of folder)
-  get_directory_property(extension DIRECTORY "${folder}" DEFINITION CMAKE_PCH_EXTENSION)
-  if(NOT extension STREQUAL CMAKE_PCH_EXTENSION)
-    return() # its project() found a compiler for C that is of another kind
-  endif()
-  get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
-  foreach(target IN LISTS targets)
-    get_target_property(type ${target} TYPE)
-    get_target_property(libraries ${target} LINK_LIBRARIES)
-    if(type STREQUAL "EXECUTABLE" AND NOT libraries MATCHES "viewer") # Qt asks for flags of its own
-      get_target_property(source ${target} SOURCES)
-      precompiled_set_for("${source}" name ${precompiled_sets_of_programs})
-      if(name)
-        target_precompile_headers(${target} REUSE_FROM precompiled_${name})
-      endif()
-    endif()
-  endforeach()
-endfunction()
 
 # precompile_set_for_sources_of(TARGET SET): for each of its many sources that reaches all of the set; called from the
 # folder of the target

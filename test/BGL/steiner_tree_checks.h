@@ -1,6 +1,8 @@
 #ifndef STEINER_TREE_CHECKS_H
 #define STEINER_TREE_CHECKS_H
 
+#include "check.h"
+
 #include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
@@ -12,14 +14,6 @@
 #include <vector>
 
 namespace Core = CGAL::internal::Steiner_tree;
-
-#define CHECK(condition)                                                                   \
-  do {                                                                                     \
-    if(!(condition)) {                                                                     \
-      std::cerr << __FILE__ << ":" << __LINE__ << ": " << #condition << " failed\n";       \
-      std::exit(EXIT_FAILURE);                                                             \
-    }                                                                                      \
-  } while(false)
 
 inline bool are_equal(double a, double b)
 {

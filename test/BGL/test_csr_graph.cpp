@@ -18,6 +18,8 @@
 #include <limits>
 #include <set>
 
+namespace csr_graph_test {
+
 using Core::Csr_graph;
 typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
                               boost::property<boost::edge_weight_t, double>> Lists;
@@ -130,8 +132,11 @@ void test_index_set(CGAL::Random& random)
   }
 }
 
+} // namespace csr_graph_test
+
 int main()
 {
+  using namespace csr_graph_test;
   const unsigned int seed = 20260103;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
@@ -157,5 +162,5 @@ int main()
     else
       CHECK(result.status == CGAL::Steiner_tree::Status::TERMINALS_NOT_CONNECTED && tree.empty());
   }
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

@@ -18,6 +18,8 @@
 #include <map>
 #include <set>
 
+namespace metric_closure_test {
+
 const double infinity = (std::numeric_limits<double>::infinity)();
 
 // the shortest distances from some vertices, in quadratic time
@@ -192,12 +194,15 @@ void test_surface_mesh(CGAL::Random& random)
   }
 }
 
+} // namespace metric_closure_test
+
 int main()
 {
+  using namespace metric_closure_test;
   const unsigned int seed = 20260104;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
   test_random_graphs(random);
   test_surface_mesh(random);
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

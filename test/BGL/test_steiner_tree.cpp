@@ -1,5 +1,7 @@
 // The public call: graph types, named parameters, special cases, and what is reported.
 
+#include "check.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -16,16 +18,10 @@
 #include <type_traits>
 #include <vector>
 
+namespace steiner_tree_test {
+
 namespace ST = CGAL::Steiner_tree;
 namespace params = CGAL::parameters;
-
-#define CHECK(condition)                                                                   \
-  do {                                                                                     \
-    if(!(condition)) {                                                                     \
-      std::cerr << __FILE__ << ":" << __LINE__ << ": " << #condition << " failed\n";       \
-      std::exit(EXIT_FAILURE);                                                             \
-    }                                                                                      \
-  } while(false)
 
 template <typename Directed>
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, Directed, boost::no_property,
@@ -202,12 +198,15 @@ void test_many_terminals()
   CHECK(best.length <= heuristic.length);
 }
 
+} // namespace steiner_tree_test
+
 int main()
 {
+  using namespace steiner_tree_test;
   test_star<boost::undirectedS>();
   test_star<boost::bidirectionalS>();
   test_star<boost::directedS>();
   test_surface_mesh();
   test_many_terminals();
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

@@ -13,6 +13,8 @@
 #include <iterator>
 #include <limits>
 
+namespace steiner_tree_brute_force_test {
+
 double brute_force(const Core::Csr_graph& graph, const std::vector<int>& terminals)
 {
   std::vector<int> order;
@@ -57,7 +59,7 @@ void check_call(const Core::Csr_graph& edges, const std::vector<int>& terminals,
   std::vector<boost::graph_traits<Graph>::edge_descriptor> tree;
   const CGAL::Steiner_tree::Result result = CGAL::steiner_tree(graph, terminals, std::back_inserter(tree),
                                                                CGAL::parameters::algorithm(Method_tag()));
-  CHECK(bool(result) && (result.is_optimal || !is_exact));
+  CHECK(result && (result.is_optimal || !is_exact));
   double length = 0.;
   for(const auto& e : tree)
     length += get(boost::edge_weight, graph, e);
@@ -105,8 +107,11 @@ double random_weight(CGAL::Random& random, int kind)
   }
 }
 
+} // namespace steiner_tree_brute_force_test
+
 int main()
 {
+  using namespace steiner_tree_brute_force_test;
   const unsigned int seed = 20260101;
   const int number_of_graphs = 12000;
   std::cout << number_of_graphs << " random graphs, seed " << seed << std::endl;
@@ -140,5 +145,5 @@ int main()
   }
   std::cout << number_connected << " with connected terminals" << std::endl;
   CHECK(number_connected >= 10000);
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

@@ -5,6 +5,8 @@
 
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
+namespace steiner_tree_cancel_test {
+
 // the solution when the answer is no from some question on, which has to come
 Core::Solution solve_until(int question, const Core::Csr_graph& graph, const std::vector<int>& terminals,
                            Core::Method method)
@@ -21,8 +23,11 @@ Core::Solution solve_until(int question, const Core::Csr_graph& graph, const std
   return solution;
 }
 
+} // namespace steiner_tree_cancel_test
+
 int main()
 {
+  using namespace steiner_tree_cancel_test;
   const unsigned int seed = 20260105;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
@@ -63,5 +68,5 @@ int main()
   const Core::Solution known_path = stopped(graph, ends, detour);
   CHECK(known_path.outcome == Core::Outcome::cancelled && !known_path.is_optimal);
   CHECK(known_path.lower_bound <= shortest * (1. + 1e-9));
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

@@ -60,5 +60,5 @@ int main()
     CHECK(are_equal(solve(graph, all, method).tree.length, optimum));
   const Core::Solution exact = solve(graph, all, Core::Method::exact);
   CHECK(exact.is_optimal && are_equal(exact.tree.length, optimum));
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

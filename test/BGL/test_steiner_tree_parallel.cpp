@@ -7,6 +7,8 @@
 #include <tbb/global_control.h>
 #endif
 
+namespace steiner_tree_parallel_test {
+
 std::vector<std::vector<int>> trees(const Core::Csr_graph& graph, const std::vector<int>& terminals,
                                     Core::Execution execution)
 {
@@ -31,8 +33,11 @@ void check(const Core::Csr_graph& graph, const std::vector<int>& terminals)
 #endif
 }
 
+} // namespace steiner_tree_parallel_test
+
 int main()
 {
+  using namespace steiner_tree_parallel_test;
   CGAL::Random random(3);
   for(double noise : {0., 0.9}) {
     const Core::Csr_graph graph = grid_graph(60, 50, noise, random);
@@ -41,5 +46,5 @@ int main()
   // so large that trees are looked for in corridors
   const Core::Csr_graph graph = grid_graph(150, 120, 0.9, random);
   check(graph, random_terminals(graph.number_of_vertices(), 5, random));
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

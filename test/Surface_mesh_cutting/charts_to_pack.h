@@ -3,7 +3,8 @@
 #ifndef CGAL_TEST_SURFACE_MESH_CUTTING_CHARTS_TO_PACK_H
 #define CGAL_TEST_SURFACE_MESH_CUTTING_CHARTS_TO_PACK_H
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_cutting/certify_packing.h>
 #include <CGAL/Surface_mesh_cutting/pack_charts.h>
 
@@ -13,7 +14,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -131,10 +131,10 @@ inline void check_distances(const Charts& charts, double texels, int texture_siz
   {
     for(const Exact::Point_2& p : {borders[i].second.source(), borders[i].second.target()})
       for(const auto& coordinate : {p.x(), p.y()})
-        assert(coordinate * size >= texels && (1 - coordinate) * size >= texels);
+        CHECK(coordinate * size >= texels && (1 - coordinate) * size >= texels);
     for(std::size_t j = 0; j < i; ++j)
       if(borders[i].first != borders[j].first)
-        assert(CGAL::squared_distance(borders[i].second, borders[j].second) * size * size >= least);
+        CHECK(CGAL::squared_distance(borders[i].second, borders[j].second) * size * size >= least);
   }
 }
 
@@ -150,9 +150,9 @@ inline void check_similarity(const Charts& charts, double scale)
       return Kernel::Point_2(p.x(), p.y());
     };
     const Kernel::Vector_2 a = former(n) - former(h), b = charts.uv[n] - charts.uv[h];
-    assert(std::abs(std::sqrt(b * b) - scale * std::sqrt(a * a)) < 1e-12);
+    CHECK(std::abs(std::sqrt(b * b) - scale * std::sqrt(a * a)) < 1e-12);
     const auto p = charts.mesh.prev(h);
-    assert(CGAL::orientation(charts.uv[h], charts.uv[n], charts.uv[p]) == CGAL::LEFT_TURN);
+    CHECK(CGAL::orientation(charts.uv[h], charts.uv[n], charts.uv[p]) == CGAL::LEFT_TURN);
   }
 }
 

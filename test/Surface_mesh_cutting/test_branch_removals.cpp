@@ -1,6 +1,6 @@
 // Which parts of a cut are proposed to be closed, and what is remembered of those that were tried.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/connection/Initial_cut.h>
@@ -18,12 +18,11 @@
 #include <memory>
 #include <vector>
 
-namespace {
+namespace branch_removals_test {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
 using CGAL::Surface_mesh_parameterization::internal::default_solvers;
 
-using test::check;
 
 // A closed surface, and a path on it.
 struct Closed_surface
@@ -45,7 +44,7 @@ struct Closed_surface
   Incremental_parameterization map(const Cut& cut) const
   {
     Incremental_parameterization map(mesh, shapes, mapping_policy(parameters), [] { return true; });
-    check(map.initialize(cut), "a map");
+    CHECK(map.initialize(cut), "a map");
     return map;
   }
 };
@@ -56,8 +55,8 @@ void test_parts_of_path(const Closed_surface& surface)
   const Branch_removal_search search(surface.mesh, surface.constraints);
   const double length = cut_cost(surface.constraints, surface.path);
   const Branch_removal part = search.most_expensive_part(surface.path, {}, surface.none, length / 3);
-  check(part.tip >= 0 && part.cost <= length / 3 && part.new_tip >= 0 && !part.edges.empty(), "a part of a path");
-  check(search.most_expensive_part(surface.path, {}, surface.none, length).tip < 0, "the whole path");
+  CHECK(part.tip >= 0 && part.cost <= length / 3 && part.new_tip >= 0 && !part.edges.empty(), "a part of a path");
+  CHECK(search.most_expensive_part(surface.path, {}, surface.none, length).tip < 0, "the whole path");
 }
 
 // Of what costs twice as much as is allowed, half is tried, down to an edge.
@@ -73,17 +72,18 @@ void test_halves(const Closed_surface& surface)
     const Branch_removal part = search.best(map, {}, is_kept, [](double) { return 1.; });
     if(part.tip < 0)
       break;
-    check(part.tip == surface.tips.back() && part.edges.size() <= (former_size + 1) / 2, "half of what was refused");
+    CHECK(part.tip == surface.tips.back() && part.edges.size() <= (former_size + 1) / 2, "half of what was refused");
     former_size = part.edges.size();
     search.remember(part, 2);
   }
-  check(former_size == 1, "down to an edge");
+  CHECK(former_size == 1, "down to an edge");
 }
 
-} // namespace
+} // namespace branch_removals_test
 
 int main()
 {
+  using namespace branch_removals_test;
   CGAL::Random random(5);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(int i = 0; i < 4; ++i)

@@ -1,6 +1,6 @@
 // Surfaces that can hardly be mapped: a run ends after a bounded number of steps, whether it finds a map or not.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "surface_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -15,8 +15,9 @@
 #include <iostream>
 #include <string>
 
+namespace budgets_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 using SMC::Status_code;
 using Mesh = test::Surface_mesh;
 
@@ -35,7 +36,7 @@ struct Counting_visitor : public SMC::Default_visitor
 Mesh rounded_mesh(const std::string& name, int number_of_cells)
 {
   Mesh mesh;
-  check(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh), name + " is there");
+  CHECK(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh), name + " is there");
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double cell = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin())
                     / number_of_cells;
@@ -55,13 +56,16 @@ void test_rounded(const std::string& name, int number_of_cells, long most_calls)
   const auto result = SMC::unwrap(mesh, is_cut, uv, CGAL::parameters::visitor(std::ref(visitor)));
   std::cout << name << " on " << number_of_cells << " cells: " << visitor.calls << " steps, status "
             << int(result.status.code) << std::endl;
-  check(result.status.code == Status_code::OK || result.status.code == Status_code::NUMERICAL_FAILURE,
+  CHECK(result.status.code == Status_code::OK || result.status.code == Status_code::NUMERICAL_FAILURE,
         name + ": " + result.status.message);
-  check(!result || SMC::certify_unwrap(mesh, is_cut, uv), name + ": certificate");
+  CHECK(!result || SMC::certify_unwrap(mesh, is_cut, uv), name + ": certificate");
 }
+
+} // namespace budgets_test
 
 int main()
 {
+  using namespace budgets_test;
   // A search that finds a cut through 240 points and refines it takes 165,000 steps.
   test_rounded("blobby.off", 30, 250000);
   // Three starts that lead nowhere take 15,000.

@@ -1,7 +1,7 @@
 // Maps that go from one cut to the next: an opened cut keeps them as they are, a closed one leads to the map that starting
 // anew does, and no triangle flips.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
@@ -18,8 +18,9 @@
 #include <limits>
 #include <vector>
 
+namespace carried_maps_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting::internal;
-using test::check;
 namespace SMP = CGAL::Surface_mesh_parameterization::internal;
 
 constexpr double precision = 1e-8;
@@ -43,7 +44,7 @@ struct Problem
   SMC::Open_chart mapped(const SMC::Cut& cut)
   {
     SMC::Incremental_parameterization fresh = map();
-    check(fresh.initialize(cut, std::numeric_limits<double>::infinity(), precision), "a map from nothing");
+    CHECK(fresh.initialize(cut, std::numeric_limits<double>::infinity(), precision), "a map from nothing");
     return fresh.state();
   }
 };
@@ -60,9 +61,9 @@ void test_opened_cut(Problem& problem)
 {
   const SMC::Open_chart former = problem.mapped(problem.cut(problem.path.size() / 2));
   SMC::Open_chart next = unmapped(problem.mesh, problem.cut(problem.path.size()));
-  check(SMC::carry_over(problem.mesh, former, next), "an opened cut has a map");
+  CHECK(SMC::carry_over(problem.mesh, former, next), "an opened cut has a map");
   for(int c = 0; c < 3 * problem.mesh.number_of_faces(); ++c)
-    check(next.uv[next.chart.source(c)] == former.uv[former.chart.source(c)], "opening moves nothing");
+    CHECK(next.uv[next.chart.source(c)] == former.uv[former.chart.source(c)], "opening moves nothing");
 }
 
 // Returns whether the map could be carried over.
@@ -72,7 +73,7 @@ bool test_closed_cut(Problem& problem, std::size_t size)
   SMC::Open_chart next = unmapped(problem.mesh, problem.cut(size));
   const bool is_carried = SMC::carry_over(problem.mesh, former, next);
   if(is_carried)
-    check(SMP::count_flips(next.chart.triangles(), next.uv) == 0, "no flip is left");
+    CHECK(SMP::count_flips(next.chart.triangles(), next.uv) == 0, "no flip is left");
   return is_carried;
 }
 
@@ -84,23 +85,26 @@ void test_energies(Problem& problem, CGAL::Random& random)
   for(int i = 0; i < 6; ++i)
   {
     const SMC::Cut cut = problem.cut(std::size_t(random.get_int(2, int(problem.path.size()) + 1)));
-    check(map.initialize(cut, infinity, precision), "a map from the former one");
+    CHECK(map.initialize(cut, infinity, precision), "a map from the former one");
     const double expected = problem.mapped(cut).energy;
-    check(map.cut() == cut && map.chart().triangles() == SMC::make_chart(problem.mesh, cut).triangles(), "the chart");
-    check(SMP::count_flips(map.chart().triangles(), map.uv()) == 0, "no flips");
-    check(std::abs(map.energy() - expected) < 1e-5 * expected, "the energy of the map from nothing");
+    CHECK(map.cut() == cut && map.chart().triangles() == SMC::make_chart(problem.mesh, cut).triangles(), "the chart");
+    CHECK(SMP::count_flips(map.chart().triangles(), map.uv()) == 0, "no flips");
+    CHECK(std::abs(map.energy() - expected) < 1e-5 * expected, "the energy of the map from nothing");
 
     // A bound between is decided rightly.
     const SMC::Open_chart kept = map.state();
-    check(map.initialize(cut, expected * (1 + 1e-3), precision), "below the bound");
-    check(!map.initialize(problem.cut(1 + problem.path.size() / 3), 0.5 * SMP::Symmetric_Dirichlet_energy::ideal, precision),
+    CHECK(map.initialize(cut, expected * (1 + 1e-3), precision), "below the bound");
+    CHECK(!map.initialize(problem.cut(1 + problem.path.size() / 3), 0.5 * SMP::Symmetric_Dirichlet_energy::ideal, precision),
           "above the bound");
     map.restore(kept);
   }
 }
 
+} // namespace carried_maps_test
+
 int main()
 {
+  using namespace carried_maps_test;
   CGAL::Random random(5);
   std::cout << "seed " << random.get_seed() << std::endl;
   int carried = 0, trials = 0;
@@ -113,5 +117,6 @@ int main()
     test_energies(problem, random);
   }
   std::cout << carried << " of " << trials << " maps were carried over a closed cut" << std::endl;
-  check(carried > 0, "closed cuts have maps, too");
+  CHECK(carried > 0, "closed cuts have maps, too");
+  return test::exit_status();
 }

@@ -1,6 +1,7 @@
 // The exact certificate of injectivity against a test of all pairs of triangles.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 
@@ -8,12 +9,13 @@
 #include <CGAL/Random.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 #include <vector>
+
+namespace certificate_test {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
 using Eigen::Vector2d;
@@ -133,19 +135,19 @@ int test_random(int runs, int charts, int triangles, int size, bool fan, CGAL::R
     for(int c = 0; c < charts; ++c)
       grow_disk(surface, random.get_int(1, triangles + 1), size, fan, random);
     const Corner_table chart = surface.chart();
-    assert(check_disks(chart));
+    CHECK(check_disks(chart));
     const Certificate certificate = certify(chart, surface.uv, true);
-    assert(certificate.flips == 0);
-    assert((certificate.overlaps() > 0) == surface.has_overlap());
-    assert(bool(certificate) == (certificate.overlaps() == 0));
-    assert(bool(certificate.status()) == bool(certificate));
-    assert(certify(chart, surface.uv, false));
+    CHECK(certificate.flips == 0);
+    CHECK((certificate.overlaps() > 0) == surface.has_overlap());
+    CHECK(bool(certificate) == (certificate.overlaps() == 0));
+    CHECK(bool(certificate.status()) == bool(certificate));
+    CHECK(certify(chart, surface.uv, false));
     // The same at the limits of double precision.
     std::vector<Vector2d> uv = surface.uv;
     for(Vector2d& p : uv)
       p = std::ldexp(1., i % 2 ? 1010 : -1070) * p;
-    assert(certify(chart, uv, true).crossings == certificate.crossings);
-    assert(certify(chart, uv, true).containments == certificate.containments);
+    CHECK(certify(chart, uv, true).crossings == certificate.crossings);
+    CHECK(certify(chart, uv, true).containments == certificate.containments);
     injective += certificate.overlaps() == 0;
   }
   return injective;
@@ -167,8 +169,8 @@ void test_squares()
       surface.add_part(swap ? other : square(0, 0, 4), two);
       surface.add_part(swap ? square(0, 0, 4) : other, two);
       const Certificate c = certify(surface.chart(), surface.uv, true);
-      assert((c.crossings > 0) == (crossings > 0) && c.containments == containments);
-      assert((c.overlaps() > 0) == surface.has_overlap());
+      CHECK((c.crossings > 0) == (crossings > 0) && c.containments == containments);
+      CHECK((c.overlaps() > 0) == surface.has_overlap());
     }
   };
   check(square(5, 0, 4), 0, 0);   // apart
@@ -200,14 +202,14 @@ void test_ring()
     triangles.push_back({b, a + 1, b + 1});
   }
   ring.add_part(points, triangles);
-  assert(!check_disks(ring.chart()));
-  assert(check_disks(ring.chart()).finding.indices.size() == 8);
-  assert(certify(ring.chart(), ring.uv, true));
+  CHECK(!check_disks(ring.chart()));
+  CHECK(check_disks(ring.chart()).finding.indices.size() == 8);
+  CHECK(certify(ring.chart(), ring.uv, true));
   Surface inside = ring;
   inside.add_part({Vector2d(-1, -1), Vector2d(1, -1), Vector2d(0, 1)}, {{0, 1, 2}});
-  assert(certify(inside.chart(), inside.uv, true));
+  CHECK(certify(inside.chart(), inside.uv, true));
   inside.add_part({Vector2d(-9, -9), Vector2d(9, -9), Vector2d(0, 19)}, {{0, 1, 2}});
-  assert(certify(inside.chart(), inside.uv, true).containments == 2);
+  CHECK(certify(inside.chart(), inside.uv, true).containments == 2);
 }
 
 void test_invalid()
@@ -218,23 +220,23 @@ void test_invalid()
   std::vector<Vector2d> corner_uv;
   for(int h = 0; h < 6; ++h)
     corner_uv.push_back(surface.uv[chart.source(h)]);
-  assert(certify_corners(chart, corner_uv, true));
+  CHECK(certify_corners(chart, corner_uv, true));
 
   std::vector<Vector2d> changed = corner_uv;
   changed[4].x() = std::nextafter(changed[4].x(), 2.);
   Certificate c = certify_corners(chart, changed, true);
-  assert(!c && c.torn == 1 && c.flips == 0 && c.faces == std::vector<int>{1});
-  assert(c.status().finding.code == CGAL::Surface_mesh_cutting::Status_code::NOT_CERTIFIED);
+  CHECK(!c && c.torn == 1 && c.flips == 0 && c.faces == std::vector<int>{1});
+  CHECK(c.status().finding.code == CGAL::Surface_mesh_cutting::Status_code::NOT_CERTIFIED);
 
   changed = corner_uv;
   changed[5] = Vector2d(0.5, 0.5);
   c = certify_corners(chart, changed, false);
-  assert(!c && c.flips == 1 && c.torn == 0 && c.faces == std::vector<int>{1});
+  CHECK(!c && c.flips == 1 && c.torn == 0 && c.faces == std::vector<int>{1});
 
   changed = corner_uv;
   changed[0].y() = std::numeric_limits<double>::quiet_NaN();
   c = certify_corners(chart, changed, true);
-  assert(!c && c.flips == 1 && c.non_finite == 1 && c.faces == std::vector<int>{0});
+  CHECK(!c && c.flips == 1 && c.non_finite == 1 && c.faces == std::vector<int>{0});
 
   // Whatever the values, there is an answer.
   CGAL::Random random(1);
@@ -266,11 +268,14 @@ void test_large(int n)
     }
   }
   surface.add_part(points, triangles);
-  assert(certify(surface.chart(), surface.uv, true));
+  CHECK(certify(surface.chart(), surface.uv, true));
 }
+
+} // namespace certificate_test
 
 int main()
 {
+  using namespace certificate_test;
   CGAL::Random random(11);
   const int runs = 1000;
   int injective = 0, all = 0;
@@ -283,10 +288,10 @@ int main()
           all += runs / charts;
         }
   // Neither answer is rare.
-  assert(injective > all / 10 && injective < all - all / 10);
+  CHECK(injective > all / 10 && injective < all - all / 10);
   test_squares();
   test_ring();
   test_invalid();
   test_large(20000);
-  return 0;
+  return test::exit_status();
 }

@@ -1,5 +1,6 @@
 // How packing turns charts: by which angles, and that aligned charts cost as little as promised.
 
+#include "../BGL/check.h"
 #include "charts_to_pack.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <iostream>
 #include <vector>
 
-namespace {
+namespace chart_rotation_test {
 
 using CGAL::Surface_mesh_cutting::Chart_rotation;
 
@@ -62,7 +63,7 @@ void test_rotations(CGAL::Random& random)
         Charts packed = copy_of(charts);
         const auto np = parameters::chart_rotation(rotation).effort(Effort::FAST).texture_size(512);
         const auto result = CGAL::Surface_mesh_cutting::pack_charts(packed.mesh, packed.is_cut, packed.uv, np);
-        assert(result && CGAL::Surface_mesh_cutting::certify_packing(packed.mesh, packed.is_cut, packed.uv, np));
+        CHECK(result && CGAL::Surface_mesh_cutting::certify_packing(packed.mesh, packed.is_cut, packed.uv, np));
         if(number < 20)
           check_distances(packed, 2, 512);
         check_similarity(packed, result.scale);
@@ -70,19 +71,19 @@ void test_rotations(CGAL::Random& random)
                   << result.fill << std::endl;
         if(rotation == Chart_rotation::NONE)
           for(const double turn : turns(packed, 2 * CGAL_PI))
-            assert(distance_to_multiple(turn, 2 * CGAL_PI) < 1e-9);
+            CHECK(distance_to_multiple(turn, 2 * CGAL_PI) < 1e-9);
         const bool is_one_cross = number == 1 && !are_stars;
         if((rotation == Chart_rotation::QUARTER && !are_stars) || (rotation == Chart_rotation::AUTOMATIC && is_one_cross))
           for(const auto h : packed.mesh.halfedges())
             if(packed.mesh.is_border(packed.mesh.opposite(h)))
             {
               const Kernel::Vector_2 along = packed.uv[h] - packed.uv[packed.mesh.prev(h)];
-              assert(distance_to_multiple(std::atan2(along.y(), along.x()), CGAL_PI / 2) < 1e-9);
+              CHECK(distance_to_multiple(std::atan2(along.y(), along.x()), CGAL_PI / 2) < 1e-9);
             }
         if(rotation == Chart_rotation::ANY)
           fill_of_any = result.fill;
         else if(rotation == Chart_rotation::AUTOMATIC && number <= 100 && !is_one_cross)
-          assert(result.fill > 0.9699 * fill_of_any);
+          CHECK(result.fill > 0.9699 * fill_of_any);
       }
     }
 }
@@ -115,25 +116,26 @@ void test_alignment(CGAL::Random& random)
         }
       return (high[0] - low[0]) * (high[1] - low[1]);
     };
-    assert(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, quarter));
+    CHECK(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, quarter));
     for(int degree = 0; degree < 90; ++degree)
-      assert(box_area(0) <= box_area(degree * CGAL_PI / 180) * (1 + 1e-9));
+      CHECK(box_area(0) <= box_area(degree * CGAL_PI / 180) * (1 + 1e-9));
     const std::vector<Kernel::Point_2> before(charts.uv.begin(), charts.uv.end());
-    assert(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, quarter));
+    CHECK(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, quarter));
     for(const auto h : charts.mesh.halfedges())
       if(!charts.mesh.is_border(h))
-        assert(CGAL::squared_distance(before[std::size_t(h)], charts.uv[h]) < 1e-9);
+        CHECK(CGAL::squared_distance(before[std::size_t(h)], charts.uv[h]) < 1e-9);
   }
 }
 
-} // namespace
+} // namespace chart_rotation_test
 
 int main(int argc, char** argv)
 {
+  using namespace chart_rotation_test;
   const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 1;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
   test_alignment(random);
   test_rotations(random);
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

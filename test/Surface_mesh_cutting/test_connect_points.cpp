@@ -1,10 +1,10 @@
 // Cuts through given points on surfaces of all kinds.
 
-#undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/connect_points.h>
 #include <CGAL/Surface_mesh_cutting/cut_length.h>
 #include <CGAL/Surface_mesh_cutting/is_cut_to_disks.h>
 
+#include "../BGL/check.h"
 #include "random_surfaces.h"
 #include "test_meshes.h"
 
@@ -14,13 +14,14 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <iterator>
 #include <limits>
 #include <set>
 #include <vector>
+
+namespace connect_points_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 namespace params = CGAL::parameters;
@@ -64,7 +65,7 @@ cut_edges(const Mesh& mesh, Marks<Mesh> marks)
   for(auto e : edges(mesh))
     if(get(marks, e))
     {
-      assert(!CGAL::is_border(e, mesh));
+      CHECK(!CGAL::is_border(e, mesh));
       result.push_back(e);
     }
   return result;
@@ -85,13 +86,13 @@ template <typename Mesh>
 void check_cut(const Mesh& mesh, const Vertices<Mesh>& points, Marks<Mesh> marks,
                const SMC::Connection_result<Mesh>& result)
 {
-  assert(SMC::is_cut_to_disks(mesh, marks));
+  CHECK(SMC::is_cut_to_disks(mesh, marks));
   for(auto v : points)
-    assert(cut_degree(mesh, marks, v) > 0);
-  assert(std::abs(SMC::cut_length(mesh, marks) - result.length) <= 1e-9 * result.length);
+    CHECK(cut_degree(mesh, marks, v) > 0);
+  CHECK(std::abs(SMC::cut_length(mesh, marks) - result.length) <= 1e-9 * result.length);
   const auto edges = cut_edges(mesh, marks);
   if(CGAL::is_closed(mesh))
-    assert(edges.size() >= 2);
+    CHECK(edges.size() >= 2);
 }
 
 // The edges of a tree: no cycle, no other leaf than the points.
@@ -105,10 +106,10 @@ void check_tree(const Mesh& mesh, const Vertices<Mesh>& points, Marks<Mesh> mark
     ends.insert(source(e, mesh));
     ends.insert(target(e, mesh));
   }
-  assert(ends.size() == edges.size() + 1);
+  CHECK(ends.size() == edges.size() + 1);
   for(auto v : ends)
     if(cut_degree(mesh, marks, v) == 1)
-      assert(std::find(points.begin(), points.end(), v) != points.end() || edges.size() == 2);
+      CHECK(std::find(points.begin(), points.end(), v) != points.end() || edges.size() == 2);
 }
 
 template <typename Mesh>
@@ -119,26 +120,26 @@ void test_methods(const Soup& soup, int number_of_points, int seed)
   const Vertices<Mesh> points = some_vertices(mesh, number_of_points, random);
   Marks<Mesh> best_marks = no_marks(mesh), marks = no_marks(mesh);
   const auto best = SMC::connect_points(mesh, points, best_marks);
-  assert(best);
+  CHECK(best);
   check_cut(mesh, points, best_marks, best);
   const bool is_single_edge = cut_edges(mesh, best_marks).size() == 2; // after the extension
-  assert(best.is_optimal || is_single_edge);
-  assert(best.lower_bound <= best.length * (1 + 1e-9));
-  assert(!best.is_optimal || best.lower_bound >= best.length * (1 - 1e-9));
+  CHECK(best.is_optimal || is_single_edge);
+  CHECK(best.lower_bound <= best.length * (1 + 1e-9));
+  CHECK(!best.is_optimal || best.lower_bound >= best.length * (1 - 1e-9));
 
   for(Connection connection : {Connection::METRIC_CLOSURE, Connection::SHORTEST_PATH_HEURISTIC,
                                Connection::GREEDY, Connection::EXACT})
   {
     const auto result = SMC::connect_points(mesh, points, marks, params::connection(connection));
-    assert(result || (is_single_edge && result.status.code == Status_code::BOUND_NOT_REACHED));
+    CHECK(result || (is_single_edge && result.status.code == Status_code::BOUND_NOT_REACHED));
     check_cut(mesh, points, marks, result);
-    assert(is_single_edge || result.length >= best.length * (1 - 1e-9));
-    assert(connection != Connection::EXACT || std::abs(result.length - best.length) <= 1e-9);
+    CHECK(is_single_edge || result.length >= best.length * (1 - 1e-9));
+    CHECK(connection != Connection::EXACT || std::abs(result.length - best.length) <= 1e-9);
   }
 #ifdef CGAL_LINKED_WITH_TBB
-  assert(SMC::connect_points<CGAL::Parallel_tag>(mesh, points, marks));
+  CHECK(SMC::connect_points<CGAL::Parallel_tag>(mesh, points, marks));
   for(auto e : edges(mesh))
-    assert(get(marks, e) == get(best_marks, e));
+    CHECK(get(marks, e) == get(best_marks, e));
 #endif
 }
 
@@ -175,7 +176,7 @@ void test_trees_on_spheres()
     points.push_back(*std::next(vertices(mesh).begin(), 3));
     points.push_back(*std::next(vertices(mesh).begin(), 60));
     Marks<Surface_mesh> marks = no_marks(mesh);
-    assert(SMC::connect_points(mesh, points, marks));
+    CHECK(SMC::connect_points(mesh, points, marks));
     check_tree(mesh, points, marks);
   }
 }
@@ -202,8 +203,8 @@ void test_path_to_border()
   for(auto v : vertices(mesh))
   {
     const auto result = SMC::connect_points(mesh, Vertices<Surface_mesh>(1, v), marks);
-    assert(result && result.is_optimal);
-    assert(std::abs(result.length - distance[v]) < 1e-9);
+    CHECK(result && result.is_optimal);
+    CHECK(std::abs(result.length - distance[v]) < 1e-9);
   }
 }
 
@@ -220,9 +221,9 @@ void test_small_cuts()
   {
     const Vertices<Surface_mesh> points(all.begin(), all.begin() + number);
     const auto result = SMC::connect_points(mesh, points, marks);
-    assert(result);
+    CHECK(result);
     check_cut(mesh, points, marks, result);
-    assert(cut_edges(mesh, marks).size() == (std::max)(number - 1, std::size_t(2)));
+    CHECK(cut_edges(mesh, marks).size() == (std::max)(number - 1, std::size_t(2)));
   }
 
   // nothing to connect on a closed sphere
@@ -230,8 +231,8 @@ void test_small_cuts()
   {
     const Vertices<Surface_mesh> points(all.begin(), all.begin() + number);
     const auto result = SMC::connect_points(mesh, points, marks);
-    assert(result.status.code == Status_code::WRONG_PARAMETER);
-    assert(result.status.faces.size() == 4);
+    CHECK(result.status.code == Status_code::WRONG_PARAMETER);
+    CHECK(result.status.faces.size() == 4);
   }
 
   // one constrained edge
@@ -239,16 +240,16 @@ void test_small_cuts()
   put(constrained, *edges(mesh).begin(), true);
   const auto result = SMC::connect_points(mesh, Vertices<Surface_mesh>(), marks,
                                           params::edge_is_constrained_map(constrained));
-  assert(result);
+  CHECK(result);
   check_cut(mesh, {}, marks, result);
-  assert(get(marks, *edges(mesh).begin()));
+  CHECK(get(marks, *edges(mesh).begin()));
 
   // a disk without points stays closed
   const Surface_mesh patch = test::make_mesh<Surface_mesh>(test::patch(4, 3));
   Marks<Surface_mesh> patch_marks = no_marks(patch);
   const auto none = SMC::connect_points(patch, Vertices<Surface_mesh>(), patch_marks);
-  assert(none && none.length == 0 && none.is_optimal);
-  assert(cut_edges(patch, patch_marks).empty());
+  CHECK(none && none.length == 0 && none.is_optimal);
+  CHECK(cut_edges(patch, patch_marks).empty());
 }
 
 // Random edges that must be cut and that must not: a cut as asked for, or a refusal. There is a cut at
@@ -287,22 +288,22 @@ void test_random_constraints()
       check_cut(mesh, points, marks, result);
       for(auto e : edges(mesh))
       {
-        assert(!get(marks, e) || !get(forbidden, e));
-        assert(get(marks, e) || !get(constrained, e) || CGAL::is_border(e, mesh));
+        CHECK(!get(marks, e) || !get(forbidden, e));
+        CHECK(get(marks, e) || !get(constrained, e) || CGAL::is_border(e, mesh));
       }
     }
     else
     {
       ++number_of_refusals;
-      assert(result.status.code == Status_code::INFEASIBLE_CONSTRAINTS);
-      assert(!result.status.edges.empty() || !result.status.vertices.empty());
+      CHECK(result.status.code == Status_code::INFEASIBLE_CONSTRAINTS);
+      CHECK(!result.status.edges.empty() || !result.status.vertices.empty());
       for(auto e : result.status.edges)
-        assert(get(forbidden, e));
+        CHECK(get(forbidden, e));
     }
-    assert(!is_feasible || result);
+    CHECK(!is_feasible || result);
   }
   std::cout << number_of_cuts << " cuts, " << number_of_refusals << " refusals\n";
-  assert(number_of_cuts > 20 && number_of_refusals > 20);
+  CHECK(number_of_cuts > 20 && number_of_refusals > 20);
 }
 
 // A constrained loop around the middle separates a sphere: each half gets its own tree.
@@ -320,10 +321,10 @@ void test_separating_constraint()
                                         Surface_mesh::Vertex_index(m * (n + 1) + 1)};
   const auto result
     = SMC::connect_points(mesh, poles, marks, params::edge_is_constrained_map(constrained));
-  assert(result && result.is_optimal);
+  CHECK(result && result.is_optimal);
   check_cut(mesh, poles, marks, result);
   // straight up and straight down
-  assert(cut_edges(mesh, marks).size() == std::size_t(m + (3 + 1) + (n - 3 + 1)));
+  CHECK(cut_edges(mesh, marks).size() == std::size_t(m + (3 + 1) + (n - 3 + 1)));
 }
 
 struct Impatient : public SMC::Default_visitor
@@ -338,12 +339,15 @@ void test_stopped()
   const Vertices<Surface_mesh> points = some_vertices(mesh, 12, random);
   Marks<Surface_mesh> marks = no_marks(mesh);
   const auto result = SMC::connect_points(mesh, points, marks, params::visitor(Impatient()));
-  assert(result || result.status.code == Status_code::STOPPED);
+  CHECK(result || result.status.code == Status_code::STOPPED);
   check_cut(mesh, points, marks, result);
 }
 
+} // namespace connect_points_test
+
 int main()
 {
+  using namespace connect_points_test;
   test_random_surfaces();
   test_trees_on_spheres();
   test_path_to_border();
@@ -351,5 +355,5 @@ int main()
   test_random_constraints();
   test_separating_constraint();
   test_stopped();
-  std::cout << "done\n";
+  return test::exit_status();
 }

@@ -1,7 +1,7 @@
 // What callers say about edges and vertices: edges that must or must not be cut, weights, vertices that
 // the cut has to pass through, and what cannot be satisfied.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -20,8 +20,9 @@
 #include <string>
 #include <vector>
 
+namespace constraints_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 using SMC::Status_code;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
 
@@ -88,15 +89,15 @@ struct Task
 
   void check_valid(const std::string& name)
   {
-    check(bool(result), name + ": " + result.status.message);
+    CHECK(result, name + ": " + result.status.message);
     if(!result)
       return;
-    check(bool(SMC::certify_unwrap(mesh, is_cut, uv)) && result.flips == 0, name + ": certificate");
-    check(std::abs(SMC::cut_length(mesh, is_cut) - result.cut_length) <= 1e-9 * result.cut_length, name + ": length");
+    CHECK(SMC::certify_unwrap(mesh, is_cut, uv) && result.flips == 0, name + ": certificate");
+    CHECK(std::abs(SMC::cut_length(mesh, is_cut) - result.cut_length) <= 1e-9 * result.cut_length, name + ": length");
     for(Edge e : edges(mesh))
     {
-      check(!get(must, e) || is_border(e, mesh) || get(is_cut, e), name + ": an edge that must be cut");
-      check(!get(never, e) || !get(is_cut, e), name + ": an edge that must not be cut");
+      CHECK(!get(must, e) || is_border(e, mesh) || get(is_cut, e), name + ": an edge that must be cut");
+      CHECK(!get(never, e) || !get(is_cut, e), name + ": an edge that must not be cut");
     }
     for(Vertex v : vertices(mesh))
       if(get(is_terminal, v))
@@ -104,8 +105,8 @@ struct Task
         bool is_open = false;
         for(auto h : halfedges_around_target(v, mesh))
           is_open = is_open || is_border_edge(h, mesh) || get(is_cut, edge(h, mesh));
-        check(is_open, name + ": a terminal");
-        check(std::count(result.feature_points.begin(), result.feature_points.end(), v) == 1, name + ": features");
+        CHECK(is_open, name + ": a terminal");
+        CHECK(std::count(result.feature_points.begin(), result.feature_points.end(), v) == 1, name + ": features");
       }
   }
 };
@@ -122,7 +123,7 @@ void test_edges_that_must_be_cut(const Mesh& mesh, const std::string& name)
   separating.mark_ring(separating.must, 4);
   separating.run();
   separating.check_valid(name + ", a ring");
-  check(separating.result.components == 1 && separating.result.genus == 0 && separating.result.borders == 0,
+  CHECK(separating.result.components == 1 && separating.result.genus == 0 && separating.result.borders == 0,
         "the topology is that of the input");
 
   Task<Mesh> single(mesh);
@@ -142,7 +143,7 @@ void test_loops_of_a_torus()
   task.mark_ring(task.must, 0); // at the inner and outer equator
   task.run();
   task.check_valid("torus in two annuli");
-  check(task.result.genus == 1, "genus of the input");
+  CHECK(task.result.genus == 1, "genus of the input");
 }
 
 void test_edges_that_must_not_be_cut()
@@ -161,26 +162,26 @@ void test_edges_that_must_not_be_cut()
   for(auto v : vertices(island.mesh))
     if(island.height(v) > 8)
       poles.push_back(v);
-  check(bool(SMC::connect_points(island.mesh, poles, island.is_cut,
-                                 CGAL::parameters::edge_is_forbidden_map(island.never))), "points beyond a band");
+  CHECK(SMC::connect_points(island.mesh, poles, island.is_cut,
+                                 CGAL::parameters::edge_is_forbidden_map(island.never)), "points beyond a band");
   poles.push_back(*vertices(island.mesh).begin());
-  check(SMC::connect_points(island.mesh, poles, island.is_cut,
+  CHECK(SMC::connect_points(island.mesh, poles, island.is_cut,
                             CGAL::parameters::edge_is_forbidden_map(island.never)).status.code ==
           Status_code::INFEASIBLE_CONSTRAINTS, "points on both sides of a band");
 
   Surface_task handle(torus());
   handle.mark(handle.never, [&](auto e) { return handle.point(source(e, handle.mesh)).x() > 0; });
-  check(handle.run() == Status_code::INFEASIBLE_CONSTRAINTS && !handle.result.status.edges.empty(),
+  CHECK(handle.run() == Status_code::INFEASIBLE_CONSTRAINTS && !handle.result.status.edges.empty(),
         "a handle on the forbidden side");
   for(auto e : handle.result.status.edges)
-    check(get(handle.never, e), "the witness is forbidden");
+    CHECK(get(handle.never, e), "the witness is forbidden");
 
   Surface_task all(sphere());
   all.mark(all.never, [](auto) { return true; });
-  check(all.run() == Status_code::INFEASIBLE_CONSTRAINTS, "nothing may be cut");
+  CHECK(all.run() == Status_code::INFEASIBLE_CONSTRAINTS, "nothing may be cut");
   Surface_task one(sphere());
   one.mark(one.never, [&](auto e) { return e != *edges(one.mesh).begin(); });
-  check(one.run() == Status_code::INFEASIBLE_CONSTRAINTS, "only one edge may be cut");
+  CHECK(one.run() == Status_code::INFEASIBLE_CONSTRAINTS, "only one edge may be cut");
   Surface_task tree(sphere());
   tree.mark(tree.never, [&](auto e) { return tree.height(e) != 2; });
   tree.run();
@@ -191,12 +192,12 @@ void test_edges_that_must_not_be_cut()
   disk.check_valid("a disk that stays whole");
   Surface_task tube(test::make_mesh<test::Surface_mesh>(test::tube(8, 4)));
   tube.mark(tube.never, [&](auto e) { return tube.height(e) == 2.5; });
-  check(tube.run() == Status_code::INFEASIBLE_CONSTRAINTS, "the borders cannot be connected");
+  CHECK(tube.run() == Status_code::INFEASIBLE_CONSTRAINTS, "the borders cannot be connected");
 
   Surface_task both(sphere());
   both.mark_ring(both.must, 4);
   both.mark_ring(both.never, 4);
-  check(both.run() == Status_code::INFEASIBLE_CONSTRAINTS && both.result.status.edges.size() == 16, "both");
+  CHECK(both.run() == Status_code::INFEASIBLE_CONSTRAINTS && both.result.status.edges.size() == 16, "both");
 }
 
 void test_terminals()
@@ -214,9 +215,9 @@ void test_terminals()
       std::vector<test::Surface_mesh::Vertex_index> points;
       SMC::detect_feature_points(task.mesh, std::back_inserter(points),
                                  CGAL::parameters::vertex_is_constrained_map(task.is_terminal));
-      check(std::is_sorted(points.begin(), points.end()), "sorted");
+      CHECK(std::is_sorted(points.begin(), points.end()), "sorted");
       for(auto v : vertices(task.mesh))
-        check(!get(task.is_terminal, v) || std::count(points.begin(), points.end(), v) == 1, "detected");
+        CHECK(!get(task.is_terminal, v) || std::count(points.begin(), points.end(), v) == 1, "detected");
     }
 
   Surface_task enclosed(sphere());
@@ -225,7 +226,7 @@ void test_terminals()
   put(enclosed.is_terminal, *vertices(enclosed.mesh).begin(), true);
   for(auto h : halfedges_around_target(v, enclosed.mesh))
     put(enclosed.never, edge(h, enclosed.mesh), true);
-  check(enclosed.run() == Status_code::INFEASIBLE_CONSTRAINTS && enclosed.result.status.vertices.size() == 1 &&
+  CHECK(enclosed.run() == Status_code::INFEASIBLE_CONSTRAINTS && enclosed.result.status.vertices.size() == 1 &&
           enclosed.result.status.vertices.front() == v, "a terminal that only forbidden edges reach");
   put(enclosed.is_terminal, v, false);
   enclosed.run();
@@ -234,7 +235,7 @@ void test_terminals()
   Surface_task isolated(sphere());
   const auto extra = isolated.mesh.add_vertex(test::Surface_mesh::Point(0, 0, 1));
   put(isolated.is_terminal, extra, true);
-  check(isolated.run() == Status_code::INFEASIBLE_CONSTRAINTS, "an isolated vertex");
+  CHECK(isolated.run() == Status_code::INFEASIBLE_CONSTRAINTS, "an isolated vertex");
 }
 
 void test_weights()
@@ -246,12 +247,12 @@ void test_weights()
       put(task.weight, e, 0.01 * get(task.weight, e));
   task.run();
   task.check_valid("weights");
-  check(!task.result.lower_bound && !task.result.is_optimal, "no bound on the length");
+  CHECK(!task.result.lower_bound && !task.result.is_optimal, "no bound on the length");
   double expensive = 0;
   for(auto e : edges(task.mesh))
     if(get(task.is_cut, e) && task.point(source(e, task.mesh)).x() <= 0.5)
       expensive += get(task.weight, e);
-  check(expensive < 0.01, "the cut runs where it is cheap");
+  CHECK(expensive < 0.01, "the cut runs where it is cheap");
 
   for(double invalid : {-1., std::nan(""), -std::numeric_limits<double>::infinity()})
   {
@@ -260,14 +261,14 @@ void test_weights()
       if(!is_border(e, task.mesh))
       {
         put(task.weight, e, invalid);
-        check(task.run() == Status_code::WRONG_PARAMETER && task.result.status.edges.size() == 1, "invalid weight");
+        CHECK(task.run() == Status_code::WRONG_PARAMETER && task.result.status.edges.size() == 1, "invalid weight");
         break;
       }
   }
   Surface_task huge(sphere());
   for(auto e : edges(huge.mesh))
     put(huge.weight, e, 1e308);
-  check(huge.run() == Status_code::WRONG_PARAMETER, "weights whose sum is infinite");
+  CHECK(huge.run() == Status_code::WRONG_PARAMETER, "weights whose sum is infinite");
   Surface_task free(sphere());
   for(auto e : edges(free.mesh))
     put(free.weight, e, 0);
@@ -288,20 +289,23 @@ void test_weights()
 void test_neutral_constraints()
 {
   Surface_task task(sphere());
-  check(task.run() == Status_code::OK, "neutral constraints");
+  CHECK(task.run() == Status_code::OK, "neutral constraints");
   const auto without = SMC::unwrap(task.mesh, task.is_cut, task.uv);
-  check(without.cut_length == task.result.cut_length && without.average_distortion == task.result.average_distortion &&
+  CHECK(without.cut_length == task.result.cut_length && without.average_distortion == task.result.average_distortion &&
           without.lower_bound == task.result.lower_bound, "the same as without constraints");
   const auto constant = SMC::greedy_cut(
     task.mesh, task.is_cut,
     CGAL::parameters::edge_is_constrained_map(CGAL::Constant_property_map<test::Surface_mesh::Edge_index, bool>(false))
       .edge_weight_map(CGAL::Constant_property_map<test::Surface_mesh::Edge_index, int>(3))
       .vertex_is_constrained_map(CGAL::Constant_property_map<test::Surface_mesh::Vertex_index, bool>(false)));
-  check(bool(constant), "constant maps");
+  CHECK(constant, "constant maps");
 }
+
+} // namespace constraints_test
 
 int main()
 {
+  using namespace constraints_test;
   test_edges_that_must_be_cut(sphere(), "Surface_mesh");
   test_edges_that_must_be_cut(test::make_mesh_with_garbage(test::sphere(16, 11)), "removed elements");
   test_edges_that_must_be_cut(test::make_mesh<test::Polyhedron>(test::sphere(16, 11)), "Polyhedron_3");

@@ -1,8 +1,8 @@
 // Handle loops: what they are, what is left, how short they are, and what is refused.
 
-#undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/cut_handles.h>
 
+#include "../BGL/check.h"
 #include "random_surfaces.h"
 #include "test_meshes.h"
 
@@ -10,13 +10,14 @@
 #include <CGAL/Random.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <iterator>
 #include <limits>
 #include <set>
 #include <vector>
+
+namespace cut_handles_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 using namespace CGAL::Surface_mesh_cutting::internal;
@@ -73,12 +74,12 @@ void check_loops(const Mesh& mesh, const SMC::Handles_result<Mesh>& result, Mark
   const auto adapter = adapt(mesh);
   const Shape before = shape(adapter.mesh(), adapter.read_cut(constrained));
   const Shape after = shape(adapter.mesh(), adapter.read_cut(marks));
-  assert(result);
-  assert(int(result.loops.size()) == before.genus);
-  assert(after.genus == 0);
-  assert(after.parts == before.parts);
+  CHECK(result);
+  CHECK(int(result.loops.size()) == before.genus);
+  CHECK(after.genus == 0);
+  CHECK(after.parts == before.parts);
   // each loop makes two borders, or joins borders that it meets
-  assert(after.borders <= before.borders + 2 * before.genus);
+  CHECK(after.borders <= before.borders + 2 * before.genus);
 
   Marks<Mesh> is_open = no_marks(mesh);
   for(auto e : edges(mesh))
@@ -86,14 +87,14 @@ void check_loops(const Mesh& mesh, const SMC::Handles_result<Mesh>& result, Mark
   double length = 0;
   for(const auto& loop : result.loops)
   {
-    assert(!loop.empty());
+    CHECK(!loop.empty());
     using halfedge_descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
     const std::set<halfedge_descriptor> distinct(loop.begin(), loop.end());
-    assert(distinct.size() == loop.size());
+    CHECK(distinct.size() == loop.size());
     bool opens_an_edge = false;
     for(std::size_t i = 0; i < loop.size(); ++i)
     {
-      assert(source(loop[i], mesh) == target(loop[i == 0 ? loop.size() - 1 : i - 1], mesh));
+      CHECK(source(loop[i], mesh) == target(loop[i == 0 ? loop.size() - 1 : i - 1], mesh));
       if(get(is_open, edge(loop[i], mesh)))
         continue;
       put(is_open, edge(loop[i], mesh), opens_an_edge = true);
@@ -101,11 +102,11 @@ void check_loops(const Mesh& mesh, const SMC::Handles_result<Mesh>& result, Mark
       const auto q = get(CGAL::vertex_point, mesh, target(loop[i], mesh));
       length += std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));
     }
-    assert(opens_an_edge);
+    CHECK(opens_an_edge);
   }
   for(auto e : edges(mesh))
-    assert(get(marks, e) == (get(is_open, e) && !CGAL::is_border(e, mesh)));
-  assert(std::abs(length - result.length) <= 1e-9 * (1 + length));
+    CHECK(get(marks, e) == (get(is_open, e) && !CGAL::is_border(e, mesh)));
+  CHECK(std::abs(length - result.length) <= 1e-9 * (1 + length));
 }
 
 template <typename Mesh>
@@ -135,7 +136,7 @@ void test_random_surfaces()
     if(i % 4 == 0)
       soup.add(test::torus(6, 5));
     const std::vector<int> cut = test_surface<Surface_mesh>(soup);
-    assert(cut == test_surface<Surface_mesh>(soup)); // deterministic
+    CHECK(cut == test_surface<Surface_mesh>(soup)); // deterministic
     if(i % 5 == 0)
     {
       test_surface<Polyhedron>(soup);
@@ -143,7 +144,7 @@ void test_random_surfaces()
     }
     genera.insert(surface.genus);
   }
-  assert(genera.size() >= 5);
+  CHECK(genera.size() >= 5);
 }
 
 // Distances and shortest path trees by relaxing all edges again and again.
@@ -241,9 +242,9 @@ void test_lengths()
     };
     const Handle_loops exact = cut_handles(flat, constraints, always_go_further, 0.);
     const Handle_loops usual = cut_handles(flat, constraints);
-    assert(std::abs(first_length(exact) - best) < 1e-9 * best);
-    assert(first_length(usual) * 0.95 <= best);
-    assert(cut_length(flat, usual.cut) <= 1.25 * cut_length(flat, exact.cut));
+    CHECK(std::abs(first_length(exact) - best) < 1e-9 * best);
+    CHECK(first_length(usual) * 0.95 <= best);
+    CHECK(cut_length(flat, usual.cut) <= 1.25 * cut_length(flat, exact.cut));
   }
 }
 
@@ -254,14 +255,14 @@ void test_stop()
   const auto adapter = adapt(mesh);
   const Edge_constraints constraints = unconstrained(adapter.mesh());
   const std::size_t number_of_loops = cut_handles(adapter.mesh(), constraints).loops.size();
-  assert(number_of_loops > 1);
+  CHECK(number_of_loops > 1);
   for(std::size_t allowed = 0; allowed <= number_of_loops; ++allowed)
   {
     std::size_t questions = 0;
     const Handle_loops handles = cut_handles(adapter.mesh(), constraints, [&] { return questions++ < allowed; });
-    assert(handles.loops.size() == allowed);
-    assert(bool(handles.status) == (allowed == number_of_loops));
-    assert(handles.status || handles.status.finding.code == Status_code::STOPPED);
+    CHECK(handles.loops.size() == allowed);
+    CHECK(bool(handles.status) == (allowed == number_of_loops));
+    CHECK(handles.status || handles.status.finding.code == Status_code::STOPPED);
   }
 }
 
@@ -289,7 +290,7 @@ void test_constraints()
   auto result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_is_forbidden_map(ring));
   check_loops(mesh, result, marks, none);
   for(auto e : edges(mesh))
-    assert(!get(marks, e) || !get(ring, e));
+    CHECK(!get(marks, e) || !get(ring, e));
 
   // a cross that cannot be crossed leaves none, and is the witness
   Marks<Surface_mesh> cross = no_marks(mesh);
@@ -300,12 +301,12 @@ void test_constraints()
     put(marks, e, true);
   }
   result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_is_forbidden_map(cross));
-  assert(result.status.code == Status_code::INFEASIBLE_CONSTRAINTS);
-  assert(!result.status.edges.empty() && result.loops.empty());
+  CHECK(result.status.code == Status_code::INFEASIBLE_CONSTRAINTS);
+  CHECK(!result.status.edges.empty() && result.loops.empty());
   for(auto e : result.status.edges)
-    assert(get(cross, e));
+    CHECK(get(cross, e));
   for(auto e : edges(mesh))
-    assert(get(marks, e)); // unchanged
+    CHECK(get(marks, e)); // unchanged
 
   // a constrained loop leaves no handle; with an edge of it forbidden, that is the witness
   Marks<Surface_mesh> meridian = no_marks(mesh);
@@ -313,11 +314,11 @@ void test_constraints()
     put(meridian, e, int(mesh.vertex(e, 0)) / n == 4 && int(mesh.vertex(e, 1)) / n == 4);
   result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_is_constrained_map(meridian));
   check_loops(mesh, result, marks, meridian);
-  assert(result.length == 0);
+  CHECK(result.length == 0);
   result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_is_constrained_map(meridian)
                                                           .edge_is_forbidden_map(meridian));
-  assert(result.status.code == Status_code::INFEASIBLE_CONSTRAINTS);
-  assert(result.status.edges.size() == std::size_t(n));
+  CHECK(result.status.code == Status_code::INFEASIBLE_CONSTRAINTS);
+  CHECK(result.status.edges.size() == std::size_t(n));
 
   // constrained edges that leave the handle
   Marks<Surface_mesh> path = no_marks(mesh);
@@ -327,7 +328,7 @@ void test_constraints()
   result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_is_constrained_map(path));
   check_loops(mesh, result, marks, path);
   for(auto e : edges(mesh))
-    assert(get(marks, e) == get(meridian, e)); // the constrained edges come for free
+    CHECK(get(marks, e) == get(meridian, e)); // the constrained edges come for free
 }
 
 void test_weights()
@@ -341,14 +342,14 @@ void test_weights()
   auto result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_weight_map(weights));
   check_loops(mesh, result, marks, no_marks(mesh));
   for(auto e : edges(mesh))
-    assert(get(marks, e) == (get(weights, e) < 1));
+    CHECK(get(marks, e) == (get(weights, e) < 1));
 
   for(double invalid : {-1., std::numeric_limits<double>::quiet_NaN()})
   {
     put(weights, *edges(mesh).begin(), invalid);
     result = SMC::cut_handles(mesh, marks, CGAL::parameters::edge_weight_map(weights));
-    assert(result.status.code == Status_code::WRONG_PARAMETER);
-    assert(result.status.edges.size() == 1 && result.status.edges[0] == *edges(mesh).begin());
+    CHECK(result.status.code == Status_code::WRONG_PARAMETER);
+    CHECK(result.status.edges.size() == 1 && result.status.edges[0] == *edges(mesh).begin());
   }
 }
 
@@ -363,20 +364,23 @@ void test_refused()
     put(huge, e, (std::numeric_limits<double>::max)());
   const auto result
     = SMC::cut_handles(torus, no_marks(torus), CGAL::parameters::edge_weight_map(huge));
-  assert(result.status.code == Status_code::WRONG_PARAMETER);
+  CHECK(result.status.code == Status_code::WRONG_PARAMETER);
 
   Surface_mesh mesh;
   Marks<Surface_mesh> marks = no_marks(mesh);
-  assert(SMC::cut_handles(mesh, marks).status.code == Status_code::EMPTY_MESH);
+  CHECK(SMC::cut_handles(mesh, marks).status.code == Status_code::EMPTY_MESH);
 }
+
+} // namespace cut_handles_test
 
 int main()
 {
+  using namespace cut_handles_test;
   test_random_surfaces();
   test_lengths();
   test_stop();
   test_constraints();
   test_weights();
   test_refused();
-  std::cout << "done\n";
+  return test::exit_status();
 }

@@ -1,6 +1,6 @@
 // Seam meshes, lengths, disks and certificates through the public functions, on meshes of all types.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "test_meshes.h" // `Seam_mesh` needs the mesh types to be known
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -11,13 +11,14 @@
 #include <CGAL/Random.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 #include <vector>
+
+namespace cut_measures_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 using SMC::Status;
@@ -94,16 +95,16 @@ class Test
 
     const auto check = [&](const auto& seam_mesh)
     {
-      assert(seam_mesh.number_of_seam_edges() == seams);
-      assert(seam_mesh.num_edges() == num_edges(mesh) + seams);
-      assert(seam_mesh.num_halfedges() == num_halfedges(mesh) + 2 * seams);
-      assert(std::size_t(std::distance(halfedges(seam_mesh).begin(), halfedges(seam_mesh).end()))
-             == std::size_t(std::distance(halfedges(mesh).begin(), halfedges(mesh).end())) + 2 * seams);
-      assert(seam_mesh.num_vertices() == number_of_vertices);
+      CHECK(seam_mesh.number_of_seam_edges() == seams);
+      CHECK(seam_mesh.num_edges() == num_edges(mesh) + seams);
+      CHECK(seam_mesh.num_halfedges() == num_halfedges(mesh) + 2 * seams);
+      CHECK(std::size_t(std::distance(halfedges(seam_mesh).begin(), halfedges(seam_mesh).end()))
+            == std::size_t(std::distance(halfedges(mesh).begin(), halfedges(mesh).end())) + 2 * seams);
+      CHECK(seam_mesh.num_vertices() == number_of_vertices);
       for(edge_descriptor e : edges(mesh))
-        assert(seam_mesh.has_on_seam(halfedge(e, mesh)) == (get(cut, e) && !is_border(e, mesh)));
+        CHECK(seam_mesh.has_on_seam(halfedge(e, mesh)) == (get(cut, e) && !is_border(e, mesh)));
       for(vertex_descriptor v : vertices(mesh))
-        assert(seam_mesh.has_on_seam(v) == (ends.count(v) != 0));
+        CHECK(seam_mesh.has_on_seam(v) == (ends.count(v) != 0));
     };
     check(SMC::make_seam_mesh(mesh, cut));
     // Maps that are filled already, and the same map twice.
@@ -126,7 +127,7 @@ class Test
       if(get(cut, e) && !is_border(e, mesh))
         expected += std::sqrt(CGAL::to_double(CGAL::squared_distance(
           get(CGAL::vertex_point, mesh, source(e, mesh)), get(CGAL::vertex_point, mesh, target(e, mesh)))));
-    assert(std::abs(SMC::cut_length(mesh, cut) - expected) <= 1e-12 * expected);
+    CHECK(std::abs(SMC::cut_length(mesh, cut) - expected) <= 1e-12 * expected);
     // At another place and scale, where squares overflow.
     std::map<vertex_descriptor, test::Inexact_kernel::Point_3> points;
     for(vertex_descriptor v : vertices(mesh))
@@ -136,7 +137,7 @@ class Test
                                                 1e200 * CGAL::to_double(p.z()));
     }
     const double scaled = SMC::cut_length(mesh, cut, CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(points)));
-    assert(std::abs(scaled - 1e200 * expected) <= 1e188 * expected);
+    CHECK(std::abs(scaled - 1e200 * expected) <= 1e188 * expected);
   }
 
   // Euler characteristic of each part by counting.
@@ -159,19 +160,19 @@ class Test
     }
     const bool expected = std::all_of(characteristic.begin(), characteristic.end(), [](int c) { return c == 1; });
     const Status<Mesh> status = SMC::certify_cut(mesh, cut);
-    assert(SMC::is_cut_to_disks(mesh, cut) == bool(status));
-    assert(bool(status) == expected);
+    CHECK(SMC::is_cut_to_disks(mesh, cut) == bool(status));
+    CHECK(bool(status) == expected);
     if(expected)
       return;
-    assert(status.code == Status_code::NOT_CUT_TO_DISKS && !status.message.empty());
+    CHECK(status.code == Status_code::NOT_CUT_TO_DISKS && !status.message.empty());
     const int part = component.at(status.faces.front());
-    assert(characteristic[part] != 1);
+    CHECK(characteristic[part] != 1);
     std::size_t size = 0;
     for(const auto& entry : component)
       size += entry.second == part;
-    assert(status.faces.size() == size);
+    CHECK(status.faces.size() == size);
     for(face_descriptor f : status.faces)
-      assert(component.at(f) == part);
+      CHECK(component.at(f) == part);
   }
 
 public:
@@ -209,24 +210,24 @@ public:
       x += 1;
     }
     const auto bijective = CGAL::parameters::do_bijective(true);
-    assert(SMC::certify_unwrap(mesh, cut, uv_map, bijective));
-    assert(SMC::certify_unwrap(mesh, cut, uv_map, CGAL::parameters::do_bijective(false)));
+    CHECK(SMC::certify_unwrap(mesh, cut, uv_map, bijective));
+    CHECK(SMC::certify_unwrap(mesh, cut, uv_map, CGAL::parameters::do_bijective(false)));
 
     // One step of double precision to the left.
     const face_descriptor last = *std::prev(faces(mesh).end());
     const halfedge_descriptor h = halfedge(last, mesh);
     const Point_2 former = uv[h];
     uv[h] = Point_2(std::nextafter(former.x(), 0.), 0);
-    assert(SMC::certify_unwrap(mesh, cut, uv_map));
+    CHECK(SMC::certify_unwrap(mesh, cut, uv_map));
     Status<Mesh> status = SMC::certify_unwrap(mesh, cut, uv_map, bijective);
-    assert(status.code == Status_code::NOT_CERTIFIED && status.faces.size() == 2 && status.faces.back() == last);
+    CHECK(status.code == Status_code::NOT_CERTIFIED && status.faces.size() == 2 && status.faces.back() == last);
 
     uv[h] = Point_2(former.x(), 1);
     status = SMC::certify_unwrap(mesh, cut, uv_map);
-    assert(status.code == Status_code::NOT_CERTIFIED && status.faces == std::vector<face_descriptor>{last});
+    CHECK(status.code == Status_code::NOT_CERTIFIED && status.faces == std::vector<face_descriptor>{last});
     uv[h] = Point_2(std::numeric_limits<double>::quiet_NaN(), 1);
     status = SMC::certify_unwrap(mesh, cut, uv_map, bijective);
-    assert(status.code == Status_code::NOT_CERTIFIED && status.faces == std::vector<face_descriptor>{last});
+    CHECK(status.code == Status_code::NOT_CERTIFIED && status.faces == std::vector<face_descriptor>{last});
     uv[h] = former;
 
     // Where no edge is cut, neighbors have to agree.
@@ -235,13 +236,13 @@ public:
       {
         put(cut, e, false);
         status = SMC::certify_unwrap(mesh, cut, uv_map);
-        assert(status.code == Status_code::NOT_CERTIFIED && status.faces.size() <= 2);
+        CHECK(status.code == Status_code::NOT_CERTIFIED && status.faces.size() <= 2);
         break;
       }
     for(edge_descriptor e : edges(mesh))
       put(cut, e, false);
     status = SMC::certify_unwrap(mesh, cut, uv_map);
-    assert(status.code == Status_code::NOT_CUT_TO_DISKS);
+    CHECK(status.code == Status_code::NOT_CUT_TO_DISKS);
   }
 };
 
@@ -259,13 +260,16 @@ void test_type(CGAL::Random& random)
   const Mesh empty;
   auto cut = get(CGAL::dynamic_edge_property_t<bool>(), empty);
   auto uv = get(CGAL::dynamic_halfedge_property_t<Point_2>(), empty);
-  assert(SMC::certify_cut(empty, cut).code == Status_code::EMPTY_MESH);
-  assert(SMC::certify_unwrap(empty, cut, uv).code == Status_code::EMPTY_MESH);
-  assert(SMC::cut_length(empty, cut) == 0);
+  CHECK(SMC::certify_cut(empty, cut).code == Status_code::EMPTY_MESH);
+  CHECK(SMC::certify_unwrap(empty, cut, uv).code == Status_code::EMPTY_MESH);
+  CHECK(SMC::cut_length(empty, cut) == 0);
 }
+
+} // namespace cut_measures_test
 
 int main()
 {
+  using namespace cut_measures_test;
   CGAL::Random random(4);
   test_type<test::Surface_mesh>(random);
   test_type<test::Polyhedron>(random);
@@ -274,8 +278,8 @@ int main()
   Soup two = test::torus(4, 5);
   two.add(test::patch(3, 3));
   const test::Surface_mesh mesh = test::make_mesh_with_garbage(two);
-  assert(mesh.has_garbage());
+  CHECK(mesh.has_garbage());
   Test<test::Surface_mesh> t(mesh);
   t.random_cuts(random);
-  return 0;
+  return test::exit_status();
 }

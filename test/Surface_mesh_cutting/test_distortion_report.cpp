@@ -1,7 +1,8 @@
 // The measures of the parameterization benchmark: by hand for one square, from the definitions for random maps, and
 // what is refused.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 
 #include <CGAL/boost/graph/generators.h>
@@ -16,12 +17,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <vector>
+
+namespace distortion_report_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 using K = CGAL::Simple_cartesian<double>;
@@ -69,20 +71,20 @@ void test_by_hand(double size)
                   [size](int i, int j) { return Point_3(0, size * i, size * j); }, true);
   map.set([size](const Point_3& p) { return Point_2(2 * p.y() / size, 0.5 * p.z() / size); });
   SMC::Distortion_report<Mesh> r = map.report();
-  assert(r);
-  assert(is_close(r.largest_area_distortion, 0) && is_close(r.average_area_discrepancy, 0));
-  assert(is_close(r.largest_singular_value, 2) && is_close(r.smallest_singular_value, 0.5));
-  assert(is_close(r.largest_angle_distortion, 2.25));
-  assert(is_close(r.average_angle_discrepancy, 2 * (std::atan(1) - std::atan(0.25))));
-  assert(is_close(r.symmetric_Dirichlet_energy, 4.25));
-  assert(is_close(r.resolution / size, 4)); // two units of width are one side of the square
-  assert(r.proportion_of_flipped_faces == 0 && r.cut_length == 0);
-  assert(r.overlaps && *r.overlaps == 0);
+  CHECK(r);
+  CHECK(is_close(r.largest_area_distortion, 0) && is_close(r.average_area_discrepancy, 0));
+  CHECK(is_close(r.largest_singular_value, 2) && is_close(r.smallest_singular_value, 0.5));
+  CHECK(is_close(r.largest_angle_distortion, 2.25));
+  CHECK(is_close(r.average_angle_discrepancy, 2 * (std::atan(1) - std::atan(0.25))));
+  CHECK(is_close(r.symmetric_Dirichlet_energy, 4.25));
+  CHECK(is_close(r.resolution / size, 4)); // two units of width are one side of the square
+  CHECK(r.proportion_of_flipped_faces == 0 && r.cut_length == 0);
+  CHECK(r.overlaps && *r.overlaps == 0);
 
   map.set([size](const Point_3& p) { return Point_2(-2 * p.y() / size, 0.5 * p.z() / size); });
   r = map.report();
-  assert(r && r.proportion_of_flipped_faces == 0 && !r.overlaps); // a reflection
-  assert(is_close(r.symmetric_Dirichlet_energy, 4.25));
+  CHECK(r && r.proportion_of_flipped_faces == 0 && !r.overlaps); // a reflection
+  CHECK(is_close(r.symmetric_Dirichlet_energy, 4.25));
 
   // One triangle twice as large as the other one, on top of each other, along a cut of length sqrt(2).
   for(const auto e : edges(map.mesh))
@@ -102,11 +104,11 @@ void test_by_hand(double size)
     factor = 1;
   }
   r = map.report();
-  assert(r && is_close(r.cut_length, std::sqrt(2.)));
-  assert(r.overlaps && *r.overlaps > 0);
-  assert(is_close(r.largest_area_distortion, 1.5 + 2 / 3. - 2 > 4 / 3. + 0.75 - 2 ? 1.5 + 2 / 3. - 2 : 4 / 3. + 0.75 - 2));
-  assert(is_close(r.average_area_discrepancy, 1 / 3.));
-  assert(is_close(r.largest_angle_distortion, 0) && std::abs(r.average_angle_discrepancy) < 1e-7);
+  CHECK(r && is_close(r.cut_length, std::sqrt(2.)));
+  CHECK(r.overlaps && *r.overlaps > 0);
+  CHECK(is_close(r.largest_area_distortion, 1.5 + 2 / 3. - 2 > 4 / 3. + 0.75 - 2 ? 1.5 + 2 / 3. - 2 : 4 / 3. + 0.75 - 2));
+  CHECK(is_close(r.average_area_discrepancy, 1 / 3.));
+  CHECK(is_close(r.largest_angle_distortion, 0) && std::abs(r.average_angle_discrepancy) < 1e-7);
 }
 
 // From the definitions, with the angles by the law of cosines.
@@ -197,16 +199,16 @@ void test_random_map(CGAL::Random& random, double size)
   }
   const Expected e = expected_measures(surface, image);
   const SMC::Distortion_report<Mesh> r = map.report();
-  assert(r);
-  assert(is_close(r.largest_area_distortion, e.area_distortion));
-  assert(is_close(r.average_area_discrepancy, e.area_discrepancy));
-  assert(is_close(r.smallest_singular_value, e.smallest) && is_close(r.largest_singular_value, e.largest));
-  assert(is_close(r.proportion_of_flipped_faces, e.flipped));
-  assert(is_close(r.largest_angle_distortion, e.angle_distortion));
-  assert(is_close(r.average_angle_discrepancy, e.angle_discrepancy));
-  assert(is_close(r.resolution / size, e.resolution));
-  assert(is_close(r.symmetric_Dirichlet_energy, e.energy));
-  assert(r.overlaps.has_value() == std::none_of(image.begin(), image.end(), [](const auto& t)
+  CHECK(r);
+  CHECK(is_close(r.largest_area_distortion, e.area_distortion));
+  CHECK(is_close(r.average_area_discrepancy, e.area_discrepancy));
+  CHECK(is_close(r.smallest_singular_value, e.smallest) && is_close(r.largest_singular_value, e.largest));
+  CHECK(is_close(r.proportion_of_flipped_faces, e.flipped));
+  CHECK(is_close(r.largest_angle_distortion, e.angle_distortion));
+  CHECK(is_close(r.average_angle_discrepancy, e.angle_discrepancy));
+  CHECK(is_close(r.resolution / size, e.resolution));
+  CHECK(is_close(r.symmetric_Dirichlet_energy, e.energy));
+  CHECK(r.overlaps.has_value() == std::none_of(image.begin(), image.end(), [](const auto& t)
   {
     Eigen::Matrix2d m;
     m << t[1] - t[0], t[2] - t[0];
@@ -225,29 +227,29 @@ void test_bad_maps()
 
   map.uv[corner] = Point_2(std::numeric_limits<double>::quiet_NaN(), 0);
   SMC::Distortion_report<Surface_mesh> r = map.report();
-  assert(r.status.code == SMC::Status_code::NOT_CERTIFIED);
-  assert(std::find(r.status.faces.begin(), r.status.faces.end(), face) != r.status.faces.end());
+  CHECK(r.status.code == SMC::Status_code::NOT_CERTIFIED);
+  CHECK(std::find(r.status.faces.begin(), r.status.faces.end(), face) != r.status.faces.end());
   map.uv = good;
   map.uv[corner] = Point_2(0.9, 0.3); // torn off
   r = map.report();
-  assert(r.status.code == SMC::Status_code::NOT_CERTIFIED && !r.status.faces.empty());
+  CHECK(r.status.code == SMC::Status_code::NOT_CERTIFIED && !r.status.faces.empty());
   map.set([](const Point_3&) { return Point_2(0, 0); });
-  assert(map.report().status.code == SMC::Status_code::NOT_CERTIFIED);
+  CHECK(map.report().status.code == SMC::Status_code::NOT_CERTIFIED);
 
   // A face of no area on the surface does not count; one of no area in the plane is infinitely distorted.
   map.uv = good;
   const double energy = map.report().symmetric_Dirichlet_energy;
-  assert(is_close(energy, 2));
+  CHECK(is_close(energy, 2));
   map.set([](const Point_3& p) { return Point_2(p.x() == 1 ? 0 : p.x(), p.y()); });
   r = map.report();
-  assert(r && r.symmetric_Dirichlet_energy == std::numeric_limits<double>::infinity() && !r.overlaps);
+  CHECK(r && r.symmetric_Dirichlet_energy == std::numeric_limits<double>::infinity() && !r.overlaps);
   for(const auto v : map.mesh.vertices())
     if(map.mesh.point(v).x() == 1)
       map.mesh.point(v) = Point_3(0, map.mesh.point(v).y(), 0);
   r = map.report();
-  assert(r && is_close(r.symmetric_Dirichlet_energy, 2));
+  CHECK(r && is_close(r.symmetric_Dirichlet_energy, 2));
 
-  assert(Map<Surface_mesh>().report().status.code == SMC::Status_code::EMPTY_MESH);
+  CHECK(Map<Surface_mesh>().report().status.code == SMC::Status_code::EMPTY_MESH);
 }
 
 void test_polygons()
@@ -256,11 +258,14 @@ void test_polygons()
   CGAL::make_grid(3, 2, map.mesh, [](int i, int j) { return Point_3(i, j, 0); }, false);
   map.set([](const Point_3& p) { return Point_2(3 * p.x(), 3 * p.y()); });
   const SMC::Distortion_report<Surface_mesh> r = map.report();
-  assert(r && is_close(r.symmetric_Dirichlet_energy, 2) && *r.overlaps == 0);
+  CHECK(r && is_close(r.symmetric_Dirichlet_energy, 2) && *r.overlaps == 0);
 }
+
+} // namespace distortion_report_test
 
 int main()
 {
+  using namespace distortion_report_test;
   CGAL::Random random(17);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(const double size : {1., 3., 1e-30, 1e30})
@@ -273,5 +278,5 @@ int main()
   }
   test_bad_maps();
   test_polygons();
-  return 0;
+  return test::exit_status();
 }

@@ -1,7 +1,7 @@
 // Where the plane has no room for a surface in one piece: a ramp that winds around several times overlaps itself laid
 // flat. Without distortion, each chart may cover less than one turn.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "soups.h"
 #include "surface_meshes.h"
 #include "valid_unwrap.h"
@@ -14,11 +14,10 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace divided_charts_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 
-using test::check;
 using test::Surface_mesh;
 using Point_2 = test::Point_2;
 using Cut_map = Surface_mesh::Property_map<Surface_mesh::Edge_index, bool>;
@@ -75,12 +74,12 @@ struct Maps
 
 void check_charts(const Surface_mesh& mesh, const Maps& maps, std::size_t least_number, const std::string& name)
 {
-  check(test::is_valid_unwrap(mesh, maps.is_cut, maps.uv), name + ": disks without flips");
+  CHECK(test::is_valid_unwrap(mesh, maps.is_cut, maps.uv), name + ": disks without flips");
   const auto polygons = outlines(mesh, maps.is_cut, maps.uv);
   for(const auto& polygon : polygons)
-    check(polygon.is_simple(), name + ": a chart overlaps itself");
-  check(are_apart(polygons), name + ": charts overlap");
-  check(polygons.size() >= least_number && 2 * polygons.size() <= 3 * least_number + 1,
+    CHECK(polygon.is_simple(), name + ": a chart overlaps itself");
+  CHECK(are_apart(polygons), name + ": charts overlap");
+  CHECK(polygons.size() >= least_number && 2 * polygons.size() <= 3 * least_number + 1,
         name + ": " + std::to_string(polygons.size()) + " charts");
 }
 
@@ -93,8 +92,8 @@ void test_bound(double turns)
   Maps maps(mesh);
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
                                   CGAL::parameters::do_bijective(true).maximum_average_distortion(bound));
-  check(bool(result) && result.overlaps == 0, name + ": " + result.status.message);
-  check(result.average_distortion <= bound, name + ": bound");
+  CHECK(result && result.overlaps == 0, name + ": " + result.status.message);
+  CHECK(result.average_distortion <= bound, name + ": bound");
   check_charts(mesh, maps, std::size_t(std::ceil(turns)), name);
 }
 
@@ -109,9 +108,9 @@ void test_bent_charts()
                                  CGAL::parameters::do_bijective(true).maximum_average_distortion(bound));
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
                                   CGAL::parameters::do_bijective(true).maximum_average_distortion(loose_bound));
-  check(bool(result) && result.overlaps == 0, "bent charts: " + result.status.message);
-  check(result.average_distortion <= loose_bound, "bent charts: bound");
-  check(result.cut_length < 0.5 * tight.cut_length, "bent charts: long cut");
+  CHECK(result && result.overlaps == 0, "bent charts: " + result.status.message);
+  CHECK(result.average_distortion <= loose_bound, "bent charts: bound");
+  CHECK(result.cut_length < 0.5 * tight.cut_length, "bent charts: long cut");
   check_charts(mesh, maps, 2, "bent charts");
 }
 
@@ -126,15 +125,15 @@ void test_many_turns()
   const double energy = overlapping.average_distortion;
   const auto same = SMC::unwrap(mesh, maps.is_cut, maps.uv,
                                 CGAL::parameters::do_bijective(true).maximum_average_distortion(energy + little));
-  check(bool(same) && same.overlaps == 0, "many turns: " + same.status.message);
+  CHECK(same && same.overlaps == 0, "many turns: " + same.status.message);
   check_charts(mesh, maps, std::size_t(turns), "many turns");
-  check(same.average_distortion <= energy + little, "many turns: distortion");
-  check(same.cut_length - overlapping.cut_length < 1.5 * turns, "many turns: long seams");
+  CHECK(same.average_distortion <= energy + little, "many turns: distortion");
+  CHECK(same.cut_length - overlapping.cut_length < 1.5 * turns, "many turns: long seams");
 
   const auto bent = SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::do_bijective(true));
-  check(bool(bent) && bent.overlaps == 0, "many bent turns: " + bent.status.message);
-  check(bent.average_distortion <= energy + tolerance, "many bent turns: distortion");
-  check(bent.cut_length < 0.5 * same.cut_length, "many bent turns: long seams");
+  CHECK(bent && bent.overlaps == 0, "many bent turns: " + bent.status.message);
+  CHECK(bent.average_distortion <= energy + tolerance, "many bent turns: distortion");
+  CHECK(bent.cut_length < 0.5 * same.cut_length, "many bent turns: long seams");
   check_charts(mesh, maps, std::size_t(turns / 4), "many bent turns");
 }
 
@@ -147,15 +146,16 @@ void test_forbidden()
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
                                   CGAL::parameters::do_bijective(true).maximum_average_distortion(bound)
                                     .edge_is_forbidden_map(is_forbidden));
-  check(result.status.code == SMC::Status_code::BOUND_NOT_REACHED, "forbidden: " + result.status.message);
-  check(result.has_result && result.cut_length == 0 && result.average_distortion > bound, "forbidden: distortion");
+  CHECK(result.status.code == SMC::Status_code::BOUND_NOT_REACHED, "forbidden: " + result.status.message);
+  CHECK(result.has_result && result.cut_length == 0 && result.average_distortion > bound, "forbidden: distortion");
   check_charts(mesh, maps, 1, "forbidden");
 }
 
-} // namespace
+} // namespace divided_charts_test
 
 int main()
 {
+  using namespace divided_charts_test;
   for(double turns : {0.5, 1.5, 2.5, 4.25})
     test_bound(turns);
   test_bent_charts();

@@ -1,10 +1,10 @@
 // The ready-made weights on surfaces where they are known, and their effect on a cut.
 
-#undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/connect_points.h>
 #include <CGAL/Surface_mesh_cutting/crease_weights.h>
 #include <CGAL/Surface_mesh_cutting/visibility_weights.h>
 
+#include "../BGL/check.h"
 #include "test_meshes.h"
 
 #include <CGAL/boost/graph/helpers.h>
@@ -13,11 +13,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <vector>
+
+namespace edge_weights_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -64,34 +65,34 @@ void test_creases()
   const int n = 5;
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(prism(n));
   const Weights<Surface_mesh> weights = make_weights(mesh);
-  assert(SMC::crease_weights(mesh, weights, 0.25));
+  CHECK(SMC::crease_weights(mesh, weights, 0.25));
   int creases = 0, indexed_edges = 0;
   for(auto e : edges(mesh))
   {
     const double factor = get(weights, e) / length(mesh, e);
-    assert(factor >= 0.25 - 1e-12 && factor <= 1 + 1e-12);
+    CHECK(factor >= 0.25 - 1e-12 && factor <= 1 + 1e-12);
     const int s = int(mesh.vertex(e, 0)), t = int(mesh.vertex(e, 1));
     if(!is_on_side(mesh, e, n) || s % (n + 1) == 0 || t % (n + 1) == 0 || s % (n + 1) == n ||
        t % (n + 1) == n)
       continue;
     const bool is_crease = s / (n + 1) == t / (n + 1);
-    assert(are_close(factor, is_crease ? 0.25 : 1));
+    CHECK(are_close(factor, is_crease ? 0.25 : 1));
     ++(is_crease ? creases : indexed_edges);
   }
-  assert(creases > 0 && indexed_edges > 0);
+  CHECK(creases > 0 && indexed_edges > 0);
 
   // a path along the prism keeps to an edge of it
   const std::vector<Surface_mesh::Vertex_index> ends
     = {Surface_mesh::Vertex_index(0), Surface_mesh::Vertex_index(3 * (n + 1) - 1)};
   const auto marks = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
-  assert(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)));
+  CHECK(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)));
   int cut_creases = 0;
   for(auto e : edges(mesh))
   {
     const int s = int(mesh.vertex(e, 0)), t = int(mesh.vertex(e, 1));
     cut_creases += get(marks, e) && s / (n + 1) == t / (n + 1);
   }
-  assert(cut_creases == n);
+  CHECK(cut_creases == n);
 }
 
 // One sphere inside another one: it cannot be seen from outside, and the outer one is in nobody's
@@ -129,20 +130,20 @@ void test_visibility(const Soup& soup)
 {
   const Mesh mesh = test::make_mesh<Mesh>(soup);
   const Weights<Mesh> weights = make_weights(mesh), other_weights = make_weights(mesh);
-  assert(SMC::visibility_weights(mesh, weights, 32, 0.5));
+  CHECK(SMC::visibility_weights(mesh, weights, 32, 0.5));
   for(auto e : edges(mesh))
   {
     const auto p = get(CGAL::vertex_point, mesh, source(e, mesh));
     const bool is_inside = CGAL::to_double((p - CGAL::ORIGIN).squared_length()) < 2;
-    assert(are_close(get(weights, e), length(mesh, e) * (is_inside ? 0.5 : 1)));
+    CHECK(are_close(get(weights, e), length(mesh, e) * (is_inside ? 0.5 : 1)));
   }
-  assert(SMC::visibility_weights(mesh, other_weights, 32, 0.5));
+  CHECK(SMC::visibility_weights(mesh, other_weights, 32, 0.5));
   for(auto e : edges(mesh))
-    assert(get(weights, e) == get(other_weights, e));
+    CHECK(get(weights, e) == get(other_weights, e));
 #ifdef CGAL_LINKED_WITH_TBB
-  assert(SMC::visibility_weights<CGAL::Parallel_tag>(mesh, other_weights, 32, 0.5));
+  CHECK(SMC::visibility_weights<CGAL::Parallel_tag>(mesh, other_weights, 32, 0.5));
   for(auto e : edges(mesh))
-    assert(get(weights, e) == get(other_weights, e));
+    CHECK(get(weights, e) == get(other_weights, e));
 #endif
 }
 
@@ -153,35 +154,35 @@ void test_torus()
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(test::torus(m, n));
   const Weights<Surface_mesh> few = make_weights(mesh), many = make_weights(mesh);
   const Weights<Surface_mesh> other_seed = make_weights(mesh);
-  assert(SMC::visibility_weights(mesh, few, 200, 0.));
-  assert(SMC::visibility_weights(mesh, many, 800, 0.));
-  assert(SMC::visibility_weights(mesh, other_seed, 200, 0., CGAL::parameters::random_seed(1)));
+  CHECK(SMC::visibility_weights(mesh, few, 200, 0.));
+  CHECK(SMC::visibility_weights(mesh, many, 800, 0.));
+  CHECK(SMC::visibility_weights(mesh, other_seed, 200, 0., CGAL::parameters::random_seed(1)));
   bool differs = false;
   for(auto e : edges(mesh))
   {
     const double visibility = get(many, e) / length(mesh, e);
-    assert(std::abs(visibility - get(few, e) / length(mesh, e)) < 0.15);
+    CHECK(std::abs(visibility - get(few, e) / length(mesh, e)) < 0.15);
     differs = differs || get(few, e) != get(other_seed, e);
     const int column = int(mesh.vertex(e, 0)) % n;
     if(column == 0 && int(mesh.vertex(e, 1)) % n == 0)
-      assert(visibility > 0.99);
+      CHECK(visibility > 0.99);
     if(column == n / 2 && int(mesh.vertex(e, 1)) % n == n / 2)
-      assert(visibility < 0.95);
+      CHECK(visibility < 0.95);
   }
-  assert(differs);
+  CHECK(differs);
 }
 
 void test_refused()
 {
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(prism(2)), empty;
   const Weights<Surface_mesh> weights = make_weights(mesh);
-  assert(SMC::crease_weights(empty, make_weights(empty)).code == Status_code::EMPTY_MESH);
+  CHECK(SMC::crease_weights(empty, make_weights(empty)).code == Status_code::EMPTY_MESH);
   for(double factor : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()})
   {
-    assert(SMC::crease_weights(mesh, weights, factor).code == Status_code::WRONG_PARAMETER);
-    assert(SMC::visibility_weights(mesh, weights, 4, factor).code == Status_code::WRONG_PARAMETER);
+    CHECK(SMC::crease_weights(mesh, weights, factor).code == Status_code::WRONG_PARAMETER);
+    CHECK(SMC::visibility_weights(mesh, weights, 4, factor).code == Status_code::WRONG_PARAMETER);
   }
-  assert(SMC::visibility_weights(mesh, weights, 0).code == Status_code::WRONG_PARAMETER);
+  CHECK(SMC::visibility_weights(mesh, weights, 0).code == Status_code::WRONG_PARAMETER);
 }
 
 // Ends the run at its n-th question.
@@ -205,15 +206,15 @@ void test_stopped()
     int questions = 0;
     const SMC::Status<Surface_mesh> status = SMC::visibility_weights(
       mesh, weights, 16, 0.5, CGAL::parameters::visitor(Stopping_visitor(n, questions)));
-    assert(status.code == Status_code::STOPPED && questions == n);
+    CHECK(status.code == Status_code::STOPPED && questions == n);
     for(auto e : edges(mesh))
-      assert(get(weights, e) == -1);
+      CHECK(get(weights, e) == -1);
   }
   int questions = 0;
   const int many = int(num_edges(mesh));
-  assert(SMC::visibility_weights(mesh, weights, 16, 0.5,
-                                 CGAL::parameters::visitor(Stopping_visitor(many, questions))));
-  assert(questions > many / 100);
+  CHECK(SMC::visibility_weights(mesh, weights, 16, 0.5,
+                                CGAL::parameters::visitor(Stopping_visitor(many, questions))));
+  CHECK(questions > many / 100);
 }
 
 // A weight that is infinite only at the internal scale does not forbid the edge: the sum is refused.
@@ -232,15 +233,18 @@ void test_huge_weights()
   for(double weight : {1e308, 1e306, -1e308})
   {
     put(weights, *edges(mesh).begin(), weight);
-    assert(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)).status.code
-           == Status_code::WRONG_PARAMETER);
+    CHECK(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)).status.code
+          == Status_code::WRONG_PARAMETER);
   }
   put(weights, *edges(mesh).begin(), 1e300);
-  assert(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)).status);
+  CHECK(SMC::connect_points(mesh, ends, marks, CGAL::parameters::edge_weight_map(weights)).status);
 }
+
+} // namespace edge_weights_test
 
 int main()
 {
+  using namespace edge_weights_test;
   test_creases();
   test_visibility<Surface_mesh>(nested_spheres());
   test_visibility<Surface_mesh>(inside_out(nested_spheres()));
@@ -249,5 +253,5 @@ int main()
   test_refused();
   test_stopped();
   test_huge_weights();
-  std::cout << "done\n";
+  return test::exit_status();
 }

@@ -1,7 +1,7 @@
 // The steps of feature point detection against brute force, the early decisions of the filtering against
 // full convergence, and the filtering with several threads against that with one.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/Greedy_filter.h>
@@ -21,8 +21,9 @@
 #include <memory>
 #include <vector>
 
+namespace feature_points_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting::internal;
-using test::check;
 namespace SMP = CGAL::Surface_mesh_parameterization::internal;
 
 void test_maximizers(CGAL::Random& random)
@@ -36,13 +37,13 @@ void test_maximizers(CGAL::Random& random)
   // Each vertex climbs, along its plateau too, to exactly those plateaus that hold a maximizer.
   for(int v : maximizers)
     for(int h = 0; h < mesh.number_of_halfedges(); ++h)
-      check(mesh.source(h) != v || values[mesh.target(h)] <= values[v], "a maximizer has no higher neighbor");
-  check(std::count_if(maximizers.begin(), maximizers.end(), [&](int v)
+      CHECK(mesh.source(h) != v || values[mesh.target(h)] <= values[v], "a maximizer has no higher neighbor");
+  CHECK(std::count_if(maximizers.begin(), maximizers.end(), [&](int v)
                       { return values[v] == *std::max_element(values.begin(), values.end()); }) >= 1, "the maximum");
   for(int a : maximizers)
     for(int b : maximizers)
       for(int h = 0; h < mesh.number_of_halfedges(); ++h)
-        check(!(mesh.source(h) == a && mesh.target(h) == b), "one representative for a plateau");
+        CHECK(!(mesh.source(h) == a && mesh.target(h) == b), "one representative for a plateau");
 
   for(const SMC::Candidate& c : SMC::scopes_of_influence(mesh, values, maximizers))
   {
@@ -51,7 +52,7 @@ void test_maximizers(CGAL::Random& random)
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
       if(values[v] > values[c.vertex])
         scope = (std::min)(scope, distances[v]);
-    check(scope == c.influence_radius || std::abs(scope - c.influence_radius) < 1e-12, "scope of influence");
+    CHECK(scope == c.influence_radius || std::abs(scope - c.influence_radius) < 1e-12, "scope of influence");
   }
 }
 
@@ -82,11 +83,11 @@ void test_disks(CGAL::Random& random)
     }
   }
   for(int f = 0; f < mesh.number_of_faces(); ++f)
-    check(disks.is_covered(f) == (counts[f] > 0), "forbidden region");
+    CHECK(disks.is_covered(f) == (counts[f] > 0), "forbidden region");
   for(int c : centers)
     disks.release(c);
   for(int f = 0; f < mesh.number_of_faces(); ++f)
-    check(!disks.is_covered(f), "all disks released");
+    CHECK(!disks.is_covered(f), "all disks released");
 }
 
 // The energy that full convergence reaches from the state after the slit.
@@ -124,7 +125,7 @@ void test_replay(const SMC::Mapping_policy& policy, double tolerance, CGAL::Rand
   const std::vector<SMP::Rest_shape> shapes = SMP::rest_shapes(mesh.triangles(), mesh.points());
   SMC::Run_control control;
   SMC::Incremental_parameterization map(mesh, shapes, policy, control);
-  check(map.initialize(SMC::make_cut(mesh, SMC::path_to_farthest_vertex(mesh, 0, 2))), "initial map");
+  CHECK(map.initialize(SMC::make_cut(mesh, SMC::path_to_farthest_vertex(mesh, 0, 2))), "initial map");
   SMC::Shortest_paths paths(mesh.graph());
   const double threshold = 0.01;
   for(int i = 0; i < 12; ++i)
@@ -146,11 +147,11 @@ void test_replay(const SMC::Mapping_policy& policy, double tolerance, CGAL::Rand
     const SMC::Open_chart former = map.state();
     const bool is_accepted = map.open_if_useful(slit, threshold);
     ++decisions;
-    check(std::abs(gain - threshold) <= tolerance * threshold || is_accepted == (gain > threshold), "early decision");
+    CHECK(std::abs(gain - threshold) <= tolerance * threshold || is_accepted == (gain > threshold), "early decision");
     if(is_accepted)
-      check(before - map.energy() > (1 - tolerance) * threshold, "the gain of an accepted slit");
+      CHECK(before - map.energy() > (1 - tolerance) * threshold, "the gain of an accepted slit");
     else
-      check(are_equal(map.state(), former), "a rejected slit leaves no trace");
+      CHECK(are_equal(map.state(), former), "a rejected slit leaves no trace");
   }
 }
 
@@ -190,7 +191,7 @@ void filter(const Filtering& f, SMC::Execution execution, Judge judge)
   SMC::Run_control control;
   SMC::Phase_clock clock;
   SMC::Greedy_filter filter(problem, SMC::Context{parameters, control, clock, execution});
-  check(f.cut.empty() ? filter.run(f.candidates) : filter.run_on_disk(f.cut, f.candidates), "filtering");
+  CHECK(f.cut.empty() ? filter.run(f.candidates) : filter.run_on_disk(f.cut, f.candidates), "filtering");
   judge(filter);
 }
 
@@ -222,18 +223,21 @@ void test_speculation(bool is_closed, CGAL::Random& random, int& decisions)
     {
       filter(f, SMP::execution_of<CGAL::Parallel_if_available_tag>(), [&](const auto& found)
       {
-        check(found.features() == expected.features(), "the same features with several threads");
-        check(std::equal(found.trade_offs().begin(), found.trade_offs().end(), expected.trade_offs().begin(),
+        CHECK(found.features() == expected.features(), "the same features with several threads");
+        CHECK(std::equal(found.trade_offs().begin(), found.trade_offs().end(), expected.trade_offs().begin(),
                          expected.trade_offs().end(), [](const auto& a, const auto& b)
                          { return a.cut_length == b.cut_length && a.average_distortion == b.average_distortion; }), "the same cuts accepted");
-        check(are_equal(found.map().state(), expected.map().state()), "the same map with several threads");
+        CHECK(are_equal(found.map().state(), expected.map().state()), "the same map with several threads");
       });
     });
   });
 }
 
+} // namespace feature_points_test
+
 int main(int argc, char** argv)
 {
+  using namespace feature_points_test;
   const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 20;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);

@@ -1,6 +1,6 @@
 // All that the compiled library holds, by the headers alone: each public function of another kind once.
 
-#include "checks.h"
+#include "../BGL/check.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -24,9 +24,10 @@
 #include <iterator>
 #include <vector>
 
+namespace headers_alone_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-using test::check;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
@@ -51,13 +52,13 @@ void test_unwrapping()
   const auto is_cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   const auto result = SMC::unwrap(mesh, is_cut, uv, CGAL::parameters::do_bijective(true));
-  check(bool(result), "unwrap() succeeds");
-  check(bool(SMC::certify_unwrap(mesh, is_cut, uv, CGAL::parameters::do_bijective(true))), "its map is valid");
+  CHECK(result, "unwrap() succeeds");
+  CHECK(SMC::certify_unwrap(mesh, is_cut, uv, CGAL::parameters::do_bijective(true)), "its map is valid");
   const double edge = edge_length(mesh, *mesh.edges().begin()), area = 20 * std::sqrt(3.) / 4 * edge * edge;
-  check(is_near(SMC::distortion_report(mesh, is_cut, uv).cut_length * std::sqrt(area), result.cut_length),
+  CHECK(is_near(SMC::distortion_report(mesh, is_cut, uv).cut_length * std::sqrt(area), result.cut_length),
         "its report tells the same length at an area of 1");
-  check(bool(SMC::pack_charts(mesh, is_cut, uv)), "pack_charts() succeeds");
-  check(bool(SMC::certify_packing(mesh, is_cut, uv)), "charts lie in the unit square");
+  CHECK(SMC::pack_charts(mesh, is_cut, uv), "pack_charts() succeeds");
+  CHECK(SMC::certify_packing(mesh, is_cut, uv), "charts lie in the unit square");
 }
 
 void test_polygon_soup()
@@ -65,8 +66,8 @@ void test_polygon_soup()
   const std::vector<Kernel::Point_3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<std::vector<std::size_t> > polygons = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   std::vector<std::vector<Kernel::Point_2> > uvs;
-  check(bool(SMC::unwrap_polygon_soup(points, polygons, uvs)), "unwrap_polygon_soup() succeeds");
-  check(bool(SMC::certify_unwrapped_polygon_soup(points, polygons, uvs)), "its map is valid");
+  CHECK(SMC::unwrap_polygon_soup(points, polygons, uvs), "unwrap_polygon_soup() succeeds");
+  CHECK(SMC::certify_unwrapped_polygon_soup(points, polygons, uvs), "its map is valid");
 }
 
 void test_trees()
@@ -75,20 +76,20 @@ void test_trees()
   const auto is_cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
   const std::vector<Mesh::Vertex_index> all(mesh.vertices().begin(), mesh.vertices().end());
   const double shortest = double(all.size() - 1) * edge_length(mesh, *mesh.edges().begin()); // all edges are as long
-  check(is_near(SMC::connect_points(mesh, all, is_cut).length, shortest), "a cut through all points");
+  CHECK(is_near(SMC::connect_points(mesh, all, is_cut).length, shortest), "a cut through all points");
 
   std::vector<Mesh::Edge_index> edges;
   const auto result = CGAL::steiner_tree(mesh, all, std::back_inserter(edges));
-  check(result && result.is_optimal && edges.size() == all.size() - 1, "a tree through all vertices");
+  CHECK(result && result.is_optimal && edges.size() == all.size() - 1, "a tree through all vertices");
 }
 
 void test_weights()
 {
   Mesh mesh = icosahedron();
   const auto weight = mesh.add_property_map<Mesh::Edge_index, double>("e:weight", 0.).first;
-  check(bool(SMC::visibility_weights(mesh, weight, 16, 0.1)), "visibility_weights() succeeds");
+  CHECK(SMC::visibility_weights(mesh, weight, 16, 0.1), "visibility_weights() succeeds");
   for(Mesh::Edge_index e : mesh.edges())
-    check(is_near(weight[e], edge_length(mesh, e)), "nothing blocks the view from a convex surface");
+    CHECK(is_near(weight[e], edge_length(mesh, e)), "nothing blocks the view from a convex surface");
 }
 
 template <typename Parameterizer>
@@ -98,11 +99,14 @@ void test_parameterizer()
   CGAL::Euler::remove_face(*mesh.halfedges().begin(), mesh);
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const Mesh::Halfedge_index border = *mesh.halfedges().begin();
-  check(SMP::parameterize(mesh, Parameterizer(), border, uv) == SMP::OK, "parameterize() succeeds");
+  CHECK(SMP::parameterize(mesh, Parameterizer(), border, uv) == SMP::OK, "parameterize() succeeds");
 }
+
+} // namespace headers_alone_test
 
 int main()
 {
+  using namespace headers_alone_test;
   test_unwrapping();
   test_polygon_soup();
   test_trees();

@@ -1,7 +1,7 @@
 // UVs in maps that hold fewer digits than the library computes with, and of triangles that it maps as if they were
 // thicker: what is promised holds for what can be read back from the map.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "held_map.h"
 #include "test_meshes.h"
 
@@ -20,8 +20,9 @@
 #include <utility>
 #include <vector>
 
+namespace held_maps_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 using SMC::Status_code;
 using Mesh = test::Surface_mesh;
 
@@ -59,21 +60,21 @@ void test_map(Mesh mesh, bool do_bijective, const std::string& name, Counts& cou
   const auto np = CGAL::parameters::do_bijective(do_bijective);
   const auto result = SMC::unwrap(mesh, is_cut, uv, np.effort(SMC::Effort::FAST));
   ++counts[result.status.code];
-  check(result.has_result == bool(result), name + ": a result unless it is refused");
+  CHECK(result.has_result == bool(result), name + ": a result unless it is refused");
   if(!result)
   {
-    check(result.status.code == Status_code::NOT_CERTIFIED, name + ": " + result.status.message);
-    check(std::all_of(edges(mesh).begin(), edges(mesh).end(), [&](auto e) { return is_cut[e]; }) &&
+    CHECK(result.status.code == Status_code::NOT_CERTIFIED, name + ": " + result.status.message);
+    CHECK(std::all_of(edges(mesh).begin(), edges(mesh).end(), [&](auto e) { return is_cut[e]; }) &&
           std::all_of(halfedges(mesh).begin(), halfedges(mesh).end(), [&](auto h) { return uv[h] == untouched; }),
           name + ": maps that stay as they are");
     return;
   }
   const test::Held_map held(mesh, uv);
-  check(held.flips == 0 && result.flips == 0, name + ": flips");
-  check(bool(SMC::certify_unwrap(mesh, is_cut, uv, np)), name + ": certificate");
-  check(!do_bijective || (result.overlaps && *result.overlaps == 0), name + ": overlaps");
-  check(std::abs(result.average_distortion - held.average) <= 1e-9 * held.average, name + ": average energy");
-  check(std::abs(result.largest_face_distortion - held.maximum) <= 1e-9 * held.maximum, name + ": largest energy");
+  CHECK(held.flips == 0 && result.flips == 0, name + ": flips");
+  CHECK(SMC::certify_unwrap(mesh, is_cut, uv, np), name + ": certificate");
+  CHECK(!do_bijective || (result.overlaps && *result.overlaps == 0), name + ": overlaps");
+  CHECK(std::abs(result.average_distortion - held.average) <= 1e-9 * held.average, name + ": average energy");
+  CHECK(std::abs(result.largest_face_distortion - held.maximum) <= 1e-9 * held.maximum, name + ": largest energy");
 }
 
 template <typename Point_2>
@@ -86,7 +87,7 @@ void test_maps(const std::vector<std::pair<std::string, Mesh> >& meshes, const s
                         counts);
   std::cout << type << ": " << counts[Status_code::OK] << " maps, " << counts[Status_code::NOT_CERTIFIED]
             << " refused" << std::endl;
-  check(counts[Status_code::OK] >= least_share * 2 * double(meshes.size()), type + ": most maps can be held");
+  CHECK(counts[Status_code::OK] >= least_share * 2 * double(meshes.size()), type + ": most maps can be held");
 }
 
 // Every so many vertices are moved almost onto a neighbor.
@@ -108,7 +109,7 @@ test::Soup with_needles(test::Soup soup, double gap, int step)
 Mesh read_mesh(const std::string& name)
 {
   Mesh mesh;
-  check(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh), name + " is there");
+  CHECK(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh), name + " is there");
   return mesh;
 }
 
@@ -148,20 +149,23 @@ void test_thin_triangles()
       auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
       const auto result
         = SMC::unwrap(mesh, is_cut, uv, CGAL::parameters::maximum_average_distortion(bound).effort(SMC::Effort::FAST));
-      check(result.has_result, "thin triangles: " + result.status.message);
+      CHECK(result.has_result, "thin triangles: " + result.status.message);
       if(!result.has_result)
         continue;
       const test::Held_map held(mesh, uv);
       std::cout << "thin triangles: energy " << result.average_distortion << ", exactly " << held.average << std::endl;
-      check(std::abs(result.average_distortion - held.average) <= 1e-6 * held.average, "energy of thin triangles");
-      check(std::abs(result.largest_face_distortion - held.maximum) <= 1e-6 * held.maximum, "largest energy of thin triangles");
-      check(result.status.code == (held.average <= bound ? Status_code::OK : Status_code::BOUND_NOT_REACHED),
+      CHECK(std::abs(result.average_distortion - held.average) <= 1e-6 * held.average, "energy of thin triangles");
+      CHECK(std::abs(result.largest_face_distortion - held.maximum) <= 1e-6 * held.maximum, "largest energy of thin triangles");
+      CHECK(result.status.code == (held.average <= bound ? Status_code::OK : Status_code::BOUND_NOT_REACHED),
             "a bound for thin triangles");
     }
 }
 
+} // namespace held_maps_test
+
 int main()
 {
+  using namespace held_maps_test;
   test_value_types();
   test_thin_triangles();
   return test::exit_status();

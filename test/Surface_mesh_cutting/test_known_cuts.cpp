@@ -1,6 +1,6 @@
 // Cuts under constraints on surfaces where the answer is known, at sizes with and without a coarser version.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "surface_meshes.h"
 #include "valid_unwrap.h"
 
@@ -17,10 +17,11 @@
 #include <string>
 #include <vector>
 
+namespace known_cuts_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace parameters = CGAL::parameters;
-using test::check;
 using test::Soup;
 using Mesh = test::Surface_mesh;
 using Edge = Mesh::Edge_index;
@@ -56,8 +57,8 @@ struct Surface
   SMC::Unwrap_result<Mesh> unwrap(const NamedParameters& np, const std::string& name)
   {
     const auto result = SMC::unwrap(mesh, is_cut, uv, np.edge_weight_map(weight));
-    check(bool(result), name + ": " + result.status.message);
-    check(test::is_valid_unwrap(mesh, is_cut, uv), name + ": disks without flips");
+    CHECK(result, name + ": " + result.status.message);
+    CHECK(test::is_valid_unwrap(mesh, is_cut, uv), name + ": disks without flips");
     return result;
   }
 };
@@ -72,9 +73,9 @@ void test_cylinder(int around, int along)
     if(is_expensive(e))
       tube.weight[e] *= 2;
   const auto result = tube.unwrap(parameters::all_default(), name);
-  check(tube.all_of_cut([&](Edge e) { return !is_expensive(e); }), name + ": the cut stays on the cheap half");
-  check(std::abs(result.cut_cost - along) < 1e-9 * along, name + ": the cut is a straight line");
-  check(result.average_distortion < 4 + 1e-6, name + ": no distortion");
+  CHECK(tube.all_of_cut([&](Edge e) { return !is_expensive(e); }), name + ": the cut stays on the cheap half");
+  CHECK(std::abs(result.cut_cost - along) < 1e-9 * along, name + ": the cut is a straight line");
+  CHECK(result.average_distortion < 4 + 1e-6, name + ": no distortion");
 }
 
 // A ball with a long spike, whose tip ends each good cut.
@@ -105,12 +106,12 @@ void test_forbidden_tip(int n)
     return z;
   };
   free.unwrap(parameters::all_default(), name);
-  check(top(free) > 2.5, name + ": the best cut ends at the tip");
+  CHECK(top(free) > 2.5, name + ": the best cut ends at the tip");
   for(const Edge e : capped.mesh.edges())
     if((std::max)(capped.end(e, 0).z(), capped.end(e, 1).z()) > height)
       capped.weight[e] = infinity;
   capped.unwrap(parameters::all_default(), name + " with a cap");
-  check(top(capped) <= height && top(capped) > 0.6 * height, name + ": the cut ends near the cap");
+  CHECK(top(capped) <= height && top(capped) > 0.6 * height, name + ": the cut ends near the cap");
 }
 
 // A cube of edge length 1 with n by n squares on each side.
@@ -172,9 +173,9 @@ void test_box(int n, bool is_forbidden)
     is_corner[v] = (p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1) && (p.z() == 0 || p.z() == 1);
   }
   const auto result = box.unwrap(parameters::vertex_is_constrained_map(is_corner), name);
-  check(box.all_of_cut(is_on_crease), name + ": all seams are edges of the box");
-  check(std::abs(result.cut_length - 7) < 1e-9, name + ": seven of them");
-  check(result.average_distortion < 4 + 1e-6, name + ": no distortion");
+  CHECK(box.all_of_cut(is_on_crease), name + ": all seams are edges of the box");
+  CHECK(std::abs(result.cut_length - 7) < 1e-9, name + ": seven of them");
+  CHECK(result.average_distortion < 4 + 1e-6, name + ": no distortion");
 }
 
 // Marked edges, forbidden ones, vertices, a cut to start from, weights, a bound, and no overlaps.
@@ -206,23 +207,26 @@ void test_all_constraints(int n)
   const auto result = surface.unwrap(parameters::edge_is_constrained_map(must).edge_is_forbidden_map(never)
                                        .vertex_is_constrained_map(is_terminal).initial_cut_map(initial)
                                        .maximum_average_distortion(bound).do_bijective(true), name);
-  check(result.average_distortion <= bound, name + ": the bound");
-  check(test::is_injective(mesh, surface.is_cut, surface.uv), name + ": no overlaps");
+  CHECK(result.average_distortion <= bound, name + ": the bound");
+  CHECK(test::is_injective(mesh, surface.is_cut, surface.uv), name + ": no overlaps");
   for(const Edge e : mesh.edges())
   {
-    check(!must[e] || surface.is_cut[e], name + ": a marked edge is not cut");
-    check(!never[e] || !surface.is_cut[e], name + ": a forbidden edge is cut");
+    CHECK(!must[e] || surface.is_cut[e], name + ": a marked edge is not cut");
+    CHECK(!never[e] || !surface.is_cut[e], name + ": a forbidden edge is cut");
   }
   for(const Vertex v : mesh.vertices())
   {
     const auto around = mesh.halfedges_around_target(mesh.halfedge(v));
-    check(!is_terminal[v] || std::any_of(around.begin(), around.end(), [&](auto h) { return surface.is_cut[mesh.edge(h)]; }),
+    CHECK(!is_terminal[v] || std::any_of(around.begin(), around.end(), [&](auto h) { return surface.is_cut[mesh.edge(h)]; }),
           name + ": a marked vertex is not on the cut");
   }
 }
 
+} // namespace known_cuts_test
+
 int main()
 {
+  using namespace known_cuts_test;
   for(const auto& [around, along] : {std::array<int, 2>{{32, 12}}, std::array<int, 2>{{96, 40}}})
     test_cylinder(around, along);
   for(const int n : {20, 48})

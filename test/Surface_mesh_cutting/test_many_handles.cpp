@@ -1,7 +1,6 @@
 // Surfaces with many handles: loops, cuts to one disk that become cheaper, and the whole method, all decided by Euler's
 // formula; a plate whose loops are known.
 
-#undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/Opening_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
@@ -9,13 +8,15 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 
+#include "../BGL/check.h"
 #include "random_surfaces.h"
 
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <string>
 #include <vector>
+
+namespace many_handles_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 using namespace CGAL::Surface_mesh_cutting::internal;
@@ -29,7 +30,7 @@ Topology topology_of(const Indexed_mesh& mesh, const Cut& cut)
 {
   const Corner_table chart = make_chart(mesh, cut);
   const Connected_parts parts(chart.opposites());
-  assert(parts.number == 1);
+  CHECK(parts.number == 1);
   return topologies(chart, parts).front();
 }
 
@@ -37,13 +38,13 @@ Topology topology_of(const Indexed_mesh& mesh, const Cut& cut)
 void test_loops(CGAL::Random& random)
 {
   const test::Random_surface surface = test::random_surface(70, 60, 150, 3, random);
-  assert(2 * surface.genus > Homology_class::number_of_coordinates);
+  CHECK(2 * surface.genus > Homology_class::number_of_coordinates);
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(surface.soup);
   const Adapter adapter(mesh, get(CGAL::vertex_point, mesh));
   const Handle_loops handles = cut_handles(adapter.mesh(), unconstrained(adapter.mesh()));
-  assert(handles.status);
-  assert(int(handles.loops.size()) == surface.genus);
-  assert(topology_of(adapter.mesh(), handles.cut).genus() == 0);
+  CHECK(handles.status);
+  CHECK(int(handles.loops.size()) == surface.genus);
+  CHECK(topology_of(adapter.mesh(), handles.cut).genus() == 0);
 }
 
 void test_opening(CGAL::Random& random)
@@ -70,16 +71,16 @@ void test_opening(CGAL::Random& random)
   options.method = CGAL::internal::Steiner_tree::Method::metric_closure;
   const Connected_cut connected
     = connect_terminals(indexed, constraints, terminals, options, Execution::SEQUENTIAL, always_go_further);
-  assert(connected.status);
-  assert(topology_of(indexed, connected.cut).is_disk());
+  CHECK(connected.status);
+  CHECK(topology_of(indexed, connected.cut).is_disk());
 
   Opening_search search(indexed, constraints, is_kept, connected.cut);
   search.run(always_go_further);
-  assert(topology_of(indexed, search.cut()).is_disk());
-  assert(cut_length(indexed, search.cut()) < cut_length(indexed, connected.cut));
+  CHECK(topology_of(indexed, search.cut()).is_disk());
+  CHECK(cut_length(indexed, search.cut()) < cut_length(indexed, connected.cut));
   const std::vector<char> is_open = open_vertices(indexed, search.cut());
   for(int v : terminals)
-    assert(is_open[v]);
+    CHECK(is_open[v]);
 }
 
 // A row of squares with a round hole each, of two sides with `thickness` between them.
@@ -144,17 +145,17 @@ void test_plate()
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(plate(columns, segments, radius, 1));
   const Adapter adapter(mesh, get(CGAL::vertex_point, mesh));
   const Handle_loops handles = cut_handles(adapter.mesh(), unconstrained(adapter.mesh()));
-  assert(int(handles.loops.size()) == columns);
+  CHECK(int(handles.loops.size()) == columns);
   const double expected = columns * segments * 2 * radius * std::sin(CGAL_PI / segments);
   const double length = adapter.to_original_scale(cut_length(adapter.mesh(), handles.cut));
-  assert(std::abs(length - expected) < 1e-9);
+  CHECK(std::abs(length - expected) < 1e-9);
 }
 
 // The method opens it to a disk before it looks for features.
 void test_unwrap(CGAL::Random& random)
 {
   const test::Random_surface surface = test::random_surface(32, 28, 30, 2, random);
-  assert(2 * surface.genus + surface.borders > int(Cutting_parameters::many_terminals));
+  CHECK(2 * surface.genus + surface.borders > int(Cutting_parameters::many_terminals));
   Surface_mesh mesh = test::make_mesh<Surface_mesh>(surface.soup);
   using UV = CGAL::Simple_cartesian<double>::Point_2;
   auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, UV>("h:uv").first;
@@ -166,16 +167,19 @@ void test_unwrap(CGAL::Random& random)
     const SMC::Unwrap_result<Surface_mesh> result
       = i == 0 ? SMC::unwrap<CGAL::Sequential_tag>(mesh, is_cut, uv, parameters)
                : SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, is_cut, uv, parameters);
-    assert(result.status && result.genus == surface.genus && result.borders == surface.borders);
-    assert(result.flips == 0 && SMC::certify_unwrap(mesh, is_cut, uv));
+    CHECK(result.status && result.genus == surface.genus && result.borders == surface.borders);
+    CHECK(result.flips == 0 && SMC::certify_unwrap(mesh, is_cut, uv));
     for(auto e : mesh.edges())
       cuts[i].push_back(is_cut[e]);
   }
-  assert(cuts[0] == cuts[1]);
+  CHECK(cuts[0] == cuts[1]);
 }
+
+} // namespace many_handles_test
 
 int main()
 {
+  using namespace many_handles_test;
   const unsigned int seed = 5;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
@@ -184,5 +188,5 @@ int main()
     test_opening(random);
   test_plate();
   test_unwrap(random);
-  std::cout << "done\n";
+  return test::exit_status();
 }

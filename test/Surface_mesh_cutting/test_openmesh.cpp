@@ -1,6 +1,6 @@
 // The method on meshes of OpenMesh, with constraints and with removed elements, which stay as they are.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "surface_meshes.h"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
@@ -16,8 +16,9 @@
 #include <iostream>
 #include <vector>
 
+namespace openmesh_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
 
 // The faces from `first_removed` on are removed, with the vertices and edges that only they use.
@@ -76,12 +77,12 @@ void test_mesh(const test::Soup& soup, std::size_t first_removed)
   const std::vector<double> before = contents(mesh);
   const auto result
     = SMC::unwrap(mesh, is_cut, uv, CGAL::parameters::edge_is_constrained_map(must_be_cut));
-  check(bool(result), result.status.message.c_str());
-  check(result.components == 1 && result.genus == 0 && result.borders == 0, "topology");
-  check(bool(SMC::certify_unwrap(mesh, is_cut, uv)), "certificate");
+  CHECK(result, result.status.message.c_str());
+  CHECK(result.components == 1 && result.genus == 0 && result.borders == 0, "topology");
+  CHECK(SMC::certify_unwrap(mesh, is_cut, uv), "certificate");
   for(auto e : edges(mesh))
-    check(!get(must_be_cut, e) || get(is_cut, e), "an edge that must be cut");
-  check(contents(mesh) == before, "the mesh is as it was");
+    CHECK(!get(must_be_cut, e) || get(is_cut, e), "an edge that must be cut");
+  CHECK(contents(mesh) == before, "the mesh is as it was");
 }
 
 struct Double_traits : public OpenMesh::DefaultTraits
@@ -89,8 +90,11 @@ struct Double_traits : public OpenMesh::DefaultTraits
   typedef OpenMesh::Vec3d Point;
 };
 
+} // namespace openmesh_test
+
 int main()
 {
+  using namespace openmesh_test;
   test::Soup soup = test::sphere(16, 11);
   const std::size_t number_of_faces = soup.faces.size();
   soup.add(test::patch(3, 3));

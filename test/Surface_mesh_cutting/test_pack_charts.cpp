@@ -1,5 +1,6 @@
 // Packed charts against a test of all pairs of border edges, known answers, and damage that the certificate must find.
 
+#include "../BGL/check.h"
 #include "charts_to_pack.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <functional>
 #include <iostream>
 
-namespace {
+namespace pack_charts_test {
 
 void test_random_charts(CGAL::Random& random)
 {
@@ -18,22 +19,22 @@ void test_random_charts(CGAL::Random& random)
       Charts others = copy_of(charts);
       const auto np = parameters::margin(margin).texture_size(512);
       const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, np);
-      assert(result && result.number_of_charts == number);
+      CHECK(result && result.number_of_charts == number);
       check_distances(charts, margin, 512);
       check_similarity(charts, result.scale);
-      assert(CGAL::Surface_mesh_cutting::certify_packing(charts.mesh, charts.is_cut, charts.uv, np));
+      CHECK(CGAL::Surface_mesh_cutting::certify_packing(charts.mesh, charts.is_cut, charts.uv, np));
       double area = 0;
       for(const auto f : charts.mesh.faces())
       {
         const auto h = charts.mesh.halfedge(f);
         area += CGAL::area(charts.uv[h], charts.uv[charts.mesh.next(h)], charts.uv[charts.mesh.prev(h)]);
       }
-      assert(std::abs(result.fill - area) < 1e-9);
+      CHECK(std::abs(result.fill - area) < 1e-9);
       std::cout << number << " charts, margin " << margin << ": fill " << result.fill << std::endl;
 
       CGAL::Surface_mesh_cutting::pack_charts<CGAL::Parallel_if_available_tag>(others.mesh, others.is_cut, others.uv, np);
       for(const auto h : charts.mesh.halfedges())
-        assert(charts.uv[h] == others.uv[h]);
+        CHECK(charts.uv[h] == others.uv[h]);
     }
 }
 
@@ -51,11 +52,11 @@ void test_efforts(CGAL::Random& random)
       Charts packed = copy_of(charts);
       const auto np = parameters::effort(effort).texture_size(512);
       const auto result = CGAL::Surface_mesh_cutting::pack_charts(packed.mesh, packed.is_cut, packed.uv, np);
-      assert(result && result.number_of_charts == number);
-      assert(CGAL::Surface_mesh_cutting::certify_packing(packed.mesh, packed.is_cut, packed.uv, np));
+      CHECK(result && result.number_of_charts == number);
+      CHECK(CGAL::Surface_mesh_cutting::certify_packing(packed.mesh, packed.is_cut, packed.uv, np));
       check_similarity(packed, result.scale);
       std::cout << number << " charts, effort " << int(effort) << ": fill " << result.fill << std::endl;
-      assert(result.fill > 0.95 * former);
+      CHECK(result.fill > 0.95 * former);
       former = result.fill;
     }
   }
@@ -67,8 +68,8 @@ void test_one_chart()
   charts.add({{3, 0}, {4, 1}, {3, 2}, {2, 1}}, {3, 1});
   const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, parameters::margin(16));
   const double side = 1 - 2 * 16. / 1024;
-  assert(result && result.number_of_charts == 1);
-  assert(std::abs(result.fill - side * side) < 1e-3 && std::abs(result.scale - side / std::sqrt(2)) < 1e-3);
+  CHECK(result && result.number_of_charts == 1);
+  CHECK(std::abs(result.fill - side * side) < 1e-3 && std::abs(result.scale - side / std::sqrt(2)) < 1e-3);
   check_distances(charts, 16, 1024);
 }
 
@@ -80,14 +81,14 @@ void test_bay_and_hole()
                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 7}, {4, 5, 6}, {4, 6, 7}});
   charts.add({{5, 5}, {6, 5}, {6, 5.5}, {5, 5.5}}, {5.5, 5.25});
   const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv);
-  assert(result && result.scale > 0.97 / 3);
+  CHECK(result && result.scale > 0.97 / 3);
 
   Charts frame;
   frame.add_triangles({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}},
                       {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}});
   frame.add({{5, 5}, {5.8, 5}, {5.8, 5.8}, {5, 5.8}}, {5.4, 5.4});
   const auto framed = CGAL::Surface_mesh_cutting::pack_charts(frame.mesh, frame.is_cut, frame.uv);
-  assert(framed && framed.scale > 0.97 / 3);
+  CHECK(framed && framed.scale > 0.97 / 3);
   check_distances(frame, 2, 1024);
 }
 
@@ -100,7 +101,7 @@ void test_limit()
   charts.add({{30, 0}, {31, 0}, {30, 1}}, {30.3, 0.3});
   const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv);
   const double limit = (1 - 4. / 1024) * std::sqrt(2) / 11; // a rectangle turned by 45 degrees
-  assert(result && result.scale > 0.99 * limit && result.scale <= limit);
+  CHECK(result && result.scale > 0.99 * limit && result.scale <= limit);
   check_distances(charts, 2, 1024);
 }
 
@@ -118,13 +119,13 @@ void test_polygons()
   }
   charts.put_uvs();
   const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv);
-  assert(result && result.number_of_charts == 2);
+  CHECK(result && result.number_of_charts == 2);
   check_similarity(charts, result.scale);
   check_distances(charts, 2, 1024);
   for(const auto v : charts.mesh.vertices())
     for(const auto h : halfedges_around_target(v, charts.mesh))
       for(const auto other : halfedges_around_target(v, charts.mesh))
-        assert(charts.mesh.is_border(h) || charts.mesh.is_border(other) || charts.uv[h] == charts.uv[other]);
+        CHECK(charts.mesh.is_border(h) || charts.mesh.is_border(other) || charts.uv[h] == charts.uv[other]);
 }
 
 // The certificate finds a chart moved by a little, and one moved into another one's hole without a margin.
@@ -133,13 +134,13 @@ void test_damage(CGAL::Random& random)
   Charts charts = random_stars(random, 12);
   const auto certify = [&]
   { return CGAL::Surface_mesh_cutting::certify_packing(charts.mesh, charts.is_cut, charts.uv).code; };
-  assert(certify() == Status_code::NOT_CERTIFIED);
-  assert(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv));
-  assert(certify() == Status_code::OK);
+  CHECK(certify() == Status_code::NOT_CERTIFIED);
+  CHECK(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv));
+  CHECK(certify() == Status_code::OK);
   // Turned about the middle of the square, all distances stay, but those to its border.
   for(const auto h : charts.mesh.halfedges())
     charts.uv[h] = Kernel::Point_2(charts.uv[h].x() - 0.002, charts.uv[h].y());
-  assert(certify() == Status_code::NOT_CERTIFIED);
+  CHECK(certify() == Status_code::NOT_CERTIFIED);
 
   Charts pair; // exactly the margin apart, which is a sixteenth here
   pair.add({{0.25, 0.25}, {0.375, 0.25}, {0.375, 0.375}, {0.25, 0.375}}, {0.3125, 0.3125});
@@ -147,11 +148,11 @@ void test_damage(CGAL::Random& random)
   const auto sixteenth = parameters::margin(2).texture_size(32);
   const auto certify_pair = [&]
   { return CGAL::Surface_mesh_cutting::certify_packing(pair.mesh, pair.is_cut, pair.uv, sixteenth).code; };
-  assert(certify_pair() == Status_code::OK);
+  CHECK(certify_pair() == Status_code::OK);
   for(const auto h : pair.mesh.halfedges())
     if(pair.uv[h] == Kernel::Point_2(0.4375, 0.25))
       pair.uv[h] = Kernel::Point_2(std::nextafter(0.4375, 0.), 0.25);
-  assert(certify_pair() == Status_code::NOT_CERTIFIED);
+  CHECK(certify_pair() == Status_code::NOT_CERTIFIED);
 }
 
 struct Stopping_visitor : CGAL::Surface_mesh_cutting::Default_visitor
@@ -163,7 +164,7 @@ struct Recording_visitor : CGAL::Surface_mesh_cutting::Default_visitor
 {
   void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction)
   {
-    assert(phase == CGAL::Surface_mesh_cutting::Phase::PACK);
+    CHECK(phase == CGAL::Surface_mesh_cutting::Phase::PACK);
     fractions.push_back(fraction);
   }
 
@@ -176,11 +177,11 @@ void test_progress(CGAL::Random& random)
   {
     Charts charts = random_stars(random, number);
     Recording_visitor visitor;
-    assert(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv,
-                                                   parameters::visitor(std::ref(visitor))));
-    assert(visitor.fractions.front() == 0 && visitor.fractions.back() == 1);
-    assert(std::is_sorted(visitor.fractions.begin(), visitor.fractions.end()));
-    assert(number == 1 || visitor.fractions.size() > 2);
+    CHECK(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv,
+                                                  parameters::visitor(std::ref(visitor))));
+    CHECK(visitor.fractions.front() == 0 && visitor.fractions.back() == 1);
+    CHECK(std::is_sorted(visitor.fractions.begin(), visitor.fractions.end()));
+    CHECK(number == 1 || visitor.fractions.size() > 2);
   }
 }
 
@@ -191,14 +192,14 @@ void test_errors(CGAL::Random& random)
   const auto code = [&](const auto& np)
   {
     const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, np);
-    assert(result.has_result || std::equal(before.begin(), before.end(), charts.uv.begin()));
+    CHECK(result.has_result || std::equal(before.begin(), before.end(), charts.uv.begin()));
     return result.status.code;
   };
-  assert(code(parameters::margin(-1)) == Status_code::WRONG_PARAMETER);
-  assert(code(parameters::margin(8).texture_size(16)) == Status_code::WRONG_PARAMETER);
-  assert(code(parameters::margin(std::nan(""))) == Status_code::WRONG_PARAMETER);
-  assert(code(parameters::texture_size(0)) == Status_code::WRONG_PARAMETER);
-  assert(code(parameters::margin(7.9).texture_size(16)) == Status_code::INFEASIBLE_CONSTRAINTS);
+  CHECK(code(parameters::margin(-1)) == Status_code::WRONG_PARAMETER);
+  CHECK(code(parameters::margin(8).texture_size(16)) == Status_code::WRONG_PARAMETER);
+  CHECK(code(parameters::margin(std::nan(""))) == Status_code::WRONG_PARAMETER);
+  CHECK(code(parameters::texture_size(0)) == Status_code::WRONG_PARAMETER);
+  CHECK(code(parameters::margin(7.9).texture_size(16)) == Status_code::INFEASIBLE_CONSTRAINTS);
   const auto mirror = [&]
   {
     for(const auto h : charts.mesh.halfedges())
@@ -206,17 +207,18 @@ void test_errors(CGAL::Random& random)
   };
   mirror();
   const auto flipped = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv);
-  assert(flipped.status.code == Status_code::NOT_CERTIFIED && flipped.status.faces.size() == charts.mesh.number_of_faces());
+  CHECK(flipped.status.code == Status_code::NOT_CERTIFIED && flipped.status.faces.size() == charts.mesh.number_of_faces());
   mirror();
-  assert(code(parameters::visitor(Stopping_visitor())) == Status_code::STOPPED);
+  CHECK(code(parameters::visitor(Stopping_visitor())) == Status_code::STOPPED);
   check_distances(charts, 2, 1024);
-  assert(code(parameters::margin(1)) == Status_code::OK);
+  CHECK(code(parameters::margin(1)) == Status_code::OK);
 }
 
-} // namespace
+} // namespace pack_charts_test
 
 int main(int argc, char** argv)
 {
+  using namespace pack_charts_test;
   const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 1;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
@@ -229,5 +231,5 @@ int main(int argc, char** argv)
   test_progress(random);
   test_random_charts(random);
   test_efforts(random);
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

@@ -1,7 +1,8 @@
 // The pieces of packing against their definitions, in other words and by other means: cells and distances by CGAL's
 // predicates and distances of all segments, simplified outlines and separated charts by what they promise.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_mask.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_separator.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Joint_growth.h>
@@ -11,12 +12,11 @@
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <vector>
 
-namespace {
+namespace packing_pieces_test {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -95,15 +95,15 @@ void check_mask(const Chart_mask& mask, const std::vector<Eigen::Vector2d>& corn
     for(int x = -border; x < mask.width + border; ++x)
     {
       const double distance = distance_of_cell(polygon, x, y);
-      assert(distance > 0 || has_cell(mask.inner, x, y));
-      assert(distance < rounding || !has_cell(mask.inner, x, y));
-      assert(distance > margin || has_cell(mask.outer, x, y));
-      assert(distance < margin + rounding || !has_cell(mask.outer, x, y));
+      CHECK(distance > 0 || has_cell(mask.inner, x, y));
+      CHECK(distance < rounding || !has_cell(mask.inner, x, y));
+      CHECK(distance > margin || has_cell(mask.outer, x, y));
+      CHECK(distance < margin + rounding || !has_cell(mask.outer, x, y));
       if(has_cell(mask.inner, x, y))
-        assert(x >= 0 && y >= 0 && x < mask.width && y < mask.height);
+        CHECK(x >= 0 && y >= 0 && x < mask.width && y < mask.height);
     }
   for(std::size_t i = 1; i < mask.inner.size(); ++i)
-    assert(mask.inner[i - 1].length() >= mask.inner[i].length());
+    CHECK(mask.inner[i - 1].length() >= mask.inner[i].length());
 }
 
 void test_masks(CGAL::Random& random)
@@ -136,21 +136,21 @@ void test_distances(CGAL::Random& random)
       const Signed_distance found = field(p);
       const double signed_distance = is_inside ? -distance : distance;
       const double limit = random.get_double(0, reach); // matters only for what is farther away
-      assert(field(p, limit).distance == found.distance || (signed_distance >= limit - 1e-9 && found.distance >= limit));
-      assert(field.least_distance(p) <= signed_distance + 1e-9);
-      assert(distance > reach || std::abs(field.rough_distance(p) - signed_distance) < 0.04); // a cell's diagonal is 0.06
+      CHECK(field(p, limit).distance == found.distance || (signed_distance >= limit - 1e-9 && found.distance >= limit));
+      CHECK(field.least_distance(p) <= signed_distance + 1e-9);
+      CHECK(distance > reach || std::abs(field.rough_distance(p) - signed_distance) < 0.04); // a cell's diagonal is 0.06
       if(!is_inside && distance > reach)
-        assert(found.distance > reach * (1 - 1e-9));
+        CHECK(found.distance > reach * (1 - 1e-9));
       else
       {
-        assert((found.distance < 0) == is_inside || distance < 1e-9);
+        CHECK((found.distance < 0) == is_inside || distance < 1e-9);
         // Deep inside, it is off by up to the diagonal of a cell, of which 48 lie along the box.
         const double error = std::abs(std::abs(found.distance) - distance);
-        assert(error < (is_inside && distance > 0.12 ? 0.07 : 1e-9));
+        CHECK(error < (is_inside && distance > 0.12 ? 0.07 : 1e-9));
         // Following the direction leads to the border.
         const Eigen::Vector2d foot = p - found.distance * found.direction;
-        assert(std::abs(found.direction.norm() - 1) < 1e-9);
-        assert(distance_to_border(polygon, to_point(foot)) < 1e-9);
+        CHECK(std::abs(found.direction.norm() - 1) < 1e-9);
+        CHECK(distance_to_border(polygon, to_point(foot)) < 1e-9);
       }
     }
   }
@@ -168,8 +168,8 @@ void test_slit_and_sliver()
     for(const double x : {-0.4, 0.1, 0.45})
     {
       const Eigen::Vector2d p(x, y);
-      assert(std::abs(around(p).distance - std::abs(y)) < 1e-12 && around(p).direction.y() * y > 0);
-      assert(std::abs(inside(p).distance + std::abs(y)) < 1e-12 && inside(p).direction.y() * y < 0);
+      CHECK(std::abs(around(p).distance - std::abs(y)) < 1e-12 && around(p).direction.y() * y > 0);
+      CHECK(std::abs(inside(p).distance + std::abs(y)) < 1e-12 && inside(p).direction.y() * y < 0);
     }
 }
 
@@ -186,18 +186,18 @@ void test_simplified_outlines(CGAL::Random& random)
       corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     const std::vector<Outline_segment> simplified = simplified_outline(segments_of(corners), tolerance);
-    assert(simplified.size() >= 3 && simplified.size() < corners.size() / 2);
+    CHECK(simplified.size() >= 3 && simplified.size() < corners.size() / 2);
     std::vector<Eigen::Vector2d> kept;
     for(std::size_t i = 0; i < simplified.size(); ++i)
     {
-      assert(simplified[i].target == simplified[(i + 1) % simplified.size()].source);
-      assert(std::find(corners.begin(), corners.end(), simplified[i].source) != corners.end());
+      CHECK(simplified[i].target == simplified[(i + 1) % simplified.size()].source);
+      CHECK(std::find(corners.begin(), corners.end(), simplified[i].source) != corners.end());
       kept.push_back(simplified[i].source);
     }
     const Polygon polygon = to_polygon(kept);
-    assert(polygon.is_counterclockwise_oriented());
+    CHECK(polygon.is_counterclockwise_oriented());
     for(const Eigen::Vector2d& p : corners)
-      assert(distance_to_border(polygon, to_point(p)) <= tolerance * (1 + 1e-12));
+      CHECK(distance_to_border(polygon, to_point(p)) <= tolerance * (1 + 1e-12));
   }
 }
 
@@ -211,9 +211,9 @@ void test_overlaps()
 {
   const Rigid_chart bar = rectangle(10, 0.01), square = rectangle(1, 1);
   const Rigid_motion here(0, {0, 0}), upright(CGAL_PI / 2, {0.123, 0.2}), far(0.3, {0, 6});
-  assert(do_overlap(bar, here, bar, upright)); // though none has a corner in the other one
-  assert(!do_overlap(bar, here, bar, far));
-  assert(do_overlap(square, here, rectangle(0.1, 0.1), here) && do_overlap(rectangle(0.1, 0.1), here, square, here));
+  CHECK(do_overlap(bar, here, bar, upright)); // though none has a corner in the other one
+  CHECK(!do_overlap(bar, here, bar, far));
+  CHECK(do_overlap(square, here, rectangle(0.1, 0.1), here) && do_overlap(rectangle(0.1, 0.1), here, square, here));
 }
 
 // Blocks cover all samples.
@@ -223,12 +223,12 @@ void test_blocks(CGAL::Random& random)
   int end = 0;
   for(const Sample_block& block : chart.blocks)
   {
-    assert(block.begin == end && block.end > block.begin);
+    CHECK(block.begin == end && block.end > block.begin);
     end = block.end;
     for(int k = block.begin; k < block.end; ++k)
-      assert((chart.samples[k] - block.center).norm() <= block.radius);
+      CHECK((chart.samples[k] - block.center).norm() <= block.radius);
   }
-  assert(end == int(chart.samples.size()));
+  CHECK(end == int(chart.samples.size()));
 }
 
 // The one gap between bars is found, for all turns that fit, and rated higher where what is around it weighs more.
@@ -245,15 +245,15 @@ void test_places(CGAL::Random& seeds)
     map.try_places(0, random.share() * 7, random, places);
   for(int k = 0; k < 50; ++k)
     map.try_places(0, CGAL_PI, random, places);
-  assert(places.size() == 2 && places[0].energy <= places[1].energy);
+  CHECK(places.size() == 2 && places[0].energy <= places[1].energy);
   const Eigen::Vector2d& center = places[0].motion.translation();
-  assert(std::abs(center.y() - 2.75) < 0.15 && center.x() >= 0.5 && center.x() <= 3.5);
+  CHECK(std::abs(center.y() - 2.75) < 0.15 && center.x() >= 0.5 && center.x() <= 3.5);
   map.look_from(0, [](int j) { return j == 1 ? 100. : 1.; });
   map.try_places(0, 0, random, heavy_places);
-  assert(heavy_places[0].motion.translation().y() > 2.4);
+  CHECK(heavy_places[0].motion.translation().y() > 2.4);
   std::vector<Rated_place> none;
   map.try_places(1, CGAL_PI / 4, random, none); // too long for any place along the diagonal
-  assert(none.empty());
+  CHECK(none.empty());
 }
 
 // Squares thrown onto each other come apart where there is room, and only there.
@@ -269,7 +269,7 @@ void test_separation(CGAL::Random& random)
     Chart_separator separator(charts);
     const bool is_separated
       = separator.separate(motions, {side, distance, slack}, 10000000, CGAL::internal::Graph_kernel::always_go_further);
-    assert(is_separated == (side > 2));
+    CHECK(is_separated == (side > 2));
     if(!is_separated)
       continue;
     std::vector<Polygon> polygons;
@@ -279,14 +279,14 @@ void test_separation(CGAL::Random& random)
       for(const Outline_segment& s : charts[i].outline)
       {
         corners.push_back(motions[i](s.source));
-        assert(corners.back().minCoeff() >= 0 && corners.back().maxCoeff() <= side);
+        CHECK(corners.back().minCoeff() >= 0 && corners.back().maxCoeff() <= side);
       }
       polygons.push_back(to_polygon(corners));
       for(std::size_t j = 0; j < i; ++j)
       {
-        assert(!do_overlap(charts[i], motions[i], charts[j], motions[j]));
+        CHECK(!do_overlap(charts[i], motions[i], charts[j], motions[j]));
         for(const auto& edge : polygons[i].edges())
-          assert(distance_to_border(polygons[j], edge) >= distance);
+          CHECK(distance_to_border(polygons[j], edge) >= distance);
       }
     }
   }
@@ -311,7 +311,7 @@ void test_meeting_pairs(CGAL::Random& random)
       for(int j = 0; j < i; ++j)
         if(finder.can_meet(i, motions[i], j, motions[j]))
           pairs.emplace_back(i, j);
-    assert(!pairs.empty() && pairs.size() < 30 * 29 / 2 && finder.meeting_pairs(motions) == pairs);
+    CHECK(!pairs.empty() && pairs.size() < 30 * 29 / 2 && finder.meeting_pairs(motions) == pairs);
   }
 }
 
@@ -326,20 +326,20 @@ void test_growth(CGAL::Random& random)
   const std::vector<Rigid_chart> bar(1, rectangle(4, 0.01));
   std::vector<Rigid_motion> motions(1, Rigid_motion(random.get_double(0.2, 1.3), {5, 5}));
   constexpr long long enough = 1000000000;
-  assert(Joint_growth(bar, go_further).grow(motions, 1, 100, 0, room_at) == 1); // no lookup allowed
+  CHECK(Joint_growth(bar, go_further).grow(motions, 1, 100, 0, room_at) == 1); // no lookup allowed
   const double diagonal = Joint_growth(bar, go_further).grow(motions, 1, 100, enough, room_at);
-  assert(nearly(diagonal, 10 * std::sqrt(2) / 4));
+  CHECK(nearly(diagonal, 10 * std::sqrt(2) / 4));
   const std::vector<Rigid_chart> row(5, rectangle(1, 1));
   motions.clear();
   for(int i = 0; i < 5; ++i)
     motions.emplace_back(random.get_double(-0.2, 0.2), Eigen::Vector2d(1 + 1.9 * i, 5 + random.get_double(-0.3, 0.3)));
   Joint_growth joint_growth(row, go_further);
-  assert(joint_growth.grow(motions, 1, 1.1, enough, room_at) == 1.1); // the limit
+  CHECK(joint_growth.grow(motions, 1, 1.1, enough, room_at) == 1.1); // the limit
   const double jammed = joint_growth.grow(motions, 1.1, 100, enough, room_at);
-  assert(jammed > 1.5 && joint_growth.lookups() > 0);
+  CHECK(jammed > 1.5 && joint_growth.lookups() > 0);
   Contact_finder finder(row);
   finder.set_room({room_at(jammed).side, distance, 0});
-  const auto no_contact = [](const Contact&) { assert(false); return true; };
+  const auto no_contact = [](const Contact&) { CHECK(false); return true; };
   for(int i = 0; i < 5; ++i)
   {
     finder.at_border(i, motions[i], no_contact);
@@ -347,13 +347,14 @@ void test_growth(CGAL::Random& random)
       if(j != i)
         finder.in_chart(i, motions[i], j, motions[j], no_contact);
   }
-  assert(!finder.has_overlap(motions));
+  CHECK(!finder.has_overlap(motions));
 }
 
-} // namespace
+} // namespace packing_pieces_test
 
 int main(int argc, char** argv)
 {
+  using namespace packing_pieces_test;
   const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 1;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
@@ -367,5 +368,5 @@ int main(int argc, char** argv)
   test_separation(random);
   test_meeting_pairs(random);
   test_growth(random);
-  return EXIT_SUCCESS;
+  return test::exit_status();
 }

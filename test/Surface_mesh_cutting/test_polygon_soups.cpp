@@ -1,7 +1,7 @@
 // Polygon soups of all kinds are unwrapped: what is said about them is compared with brute force, and the UVs with what
 // every map has to satisfy.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "polygon_soups.h"
 #include "soup_definitions.h"
 
@@ -22,11 +22,12 @@
 #include <utility>
 #include <vector>
 
+namespace polygon_soups_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
 using Kernel = CGAL::Simple_cartesian<double>;
 using test::Polygon;
 using test::Soup;
-using test::check;
 using Kind = SMC::Interpretation_kind;
 using Corner_uvs = std::vector<std::vector<Kernel::Point_2> >;
 
@@ -69,20 +70,20 @@ double signed_area(const std::vector<Kernel::Point_2>& polygon)
 void check_findings(const std::string& name, const Soup& soup, const SMC::Unwrap_soup_result& result)
 {
   const test::Brute_force expected(soup);
-  check(polygons(result, Kind::DEGENERATE_FACES) == expected.degenerate, name + ": degenerate faces");
-  check(polygons(result, Kind::DUPLICATE_FACES) == expected.duplicates, name + ": duplicate faces");
+  CHECK(polygons(result, Kind::DEGENERATE_FACES) == expected.degenerate, name + ": degenerate faces");
+  CHECK(polygons(result, Kind::DUPLICATE_FACES) == expected.duplicates, name + ": duplicate faces");
   const SMC::Interpretation* const vertices = find(result, Kind::NON_MANIFOLD_VERTICES);
-  check((vertices == nullptr ? std::vector<std::size_t>() : vertices->vertices) == expected.non_manifold_vertices,
+  CHECK((vertices == nullptr ? std::vector<std::size_t>() : vertices->vertices) == expected.non_manifold_vertices,
         name + ": non-manifold vertices");
   std::set<std::pair<std::size_t, std::size_t> > many, one_sided;
   for(const auto& [edge, at_edge] : expected.edges)
     if(at_edge.size() > 2)
       many.insert(edge);
   const SMC::Interpretation* const edges = find(result, Kind::NON_MANIFOLD_EDGES);
-  check((edges == nullptr ? 0 : edges->edges.size()) == many.size(), name + ": number of non-manifold edges");
+  CHECK((edges == nullptr ? 0 : edges->edges.size()) == many.size(), name + ": number of non-manifold edges");
   if(edges != nullptr)
     for(const auto& edge : edges->edges)
-      check(many.count({edge[0], edge[1]}) == 1, name + ": non-manifold edge");
+      CHECK(many.count({edge[0], edge[1]}) == 1, name + ": non-manifold edge");
 
   // After the turns, neighbors agree except at the edges that are named.
   if(const SMC::Interpretation* const open = find(result, Kind::NON_ORIENTABLE_EDGES))
@@ -101,7 +102,7 @@ void check_findings(const std::string& name, const Soup& soup, const SMC::Unwrap
         const bool is_upward = polygon[(k + 1) % polygon.size()] == edge.second;
         up += is_upward != std::binary_search(turned.begin(), turned.end(), p);
       }
-      check((up == 1) != (one_sided.count(edge) == 1), name + ": orientation at an edge");
+      CHECK((up == 1) != (one_sided.count(edge) == 1), name + ": orientation at an edge");
     }
 }
 
@@ -111,16 +112,16 @@ SMC::Unwrap_soup_result unwrap(const std::string& name, const Soup& soup, bool d
   Corner_uvs uvs;
   const SMC::Unwrap_soup_result result
     = SMC::unwrap_polygon_soup(points, soup.faces, uvs, CGAL::parameters::do_weld_points(do_weld));
-  check(bool(result), name + ": " + result.status.message);
+  CHECK(result, name + ": " + result.status.message);
   if(!result.has_result)
     return result;
   const SMC::Status<SMC::Polygon_soup> certificate
     = SMC::certify_unwrapped_polygon_soup(points, soup.faces, uvs, CGAL::parameters::do_weld_points(do_weld));
-  check(bool(certificate), name + ": certificate: " + certificate.message);
+  CHECK(certificate, name + ": certificate: " + certificate.message);
   if(!do_weld)
     check_findings(name, soup, result);
 
-  check(uvs.size() == soup.faces.size(), name + ": number of polygons");
+  CHECK(uvs.size() == soup.faces.size(), name + ": number of polygons");
   const std::vector<std::size_t> turned = polygons(result, Kind::REORIENTED_FACES);
   std::set<std::size_t> left_out;
   for(Kind kind : {Kind::DEGENERATE_FACES, Kind::DUPLICATE_FACES})
@@ -128,25 +129,25 @@ SMC::Unwrap_soup_result unwrap(const std::string& name, const Soup& soup, bool d
       left_out.insert(p);
   for(std::size_t p = 0; p < uvs.size(); ++p)
   {
-    check(uvs[p].size() == soup.faces[p].size(), name + ": number of corners");
+    CHECK(uvs[p].size() == soup.faces[p].size(), name + ": number of corners");
     for(const Kernel::Point_2& uv : uvs[p])
-      check(std::isfinite(uv.x()) && std::isfinite(uv.y()), name + ": finite UVs");
+      CHECK(std::isfinite(uv.x()) && std::isfinite(uv.y()), name + ": finite UVs");
     const double sign = std::binary_search(turned.begin(), turned.end(), p) ? -1 : 1;
     if(left_out.count(p) == 0)
-      check(sign * signed_area(uvs[p]) > 0, name + ": a polygon is clockwise");
+      CHECK(sign * signed_area(uvs[p]) > 0, name + ": a polygon is clockwise");
   }
   return result;
 }
 
 void test_polygons()
 {
-  check(unwrap("flat squares", test::whole_quads(4, 3, false, false)).cut_length == 0, "a disk needs no cut");
-  check(unwrap("torus", test::whole_quads(8, 6, true, true)).genus == 1, "genus of the torus");
-  check(unwrap("tube", test::whole_quads(8, 3, true, false)).borders == 2, "borders of the tube");
+  CHECK(unwrap("flat squares", test::whole_quads(4, 3, false, false)).cut_length == 0, "a disk needs no cut");
+  CHECK(unwrap("torus", test::whole_quads(8, 6, true, true)).genus == 1, "genus of the torus");
+  CHECK(unwrap("tube", test::whole_quads(8, 3, true, false)).borders == 2, "borders of the tube");
   for(int n : {3, 10, 40})
   {
     const SMC::Unwrap_soup_result star = unwrap("star of " + std::to_string(n), test::star_prism(n));
-    check(star.genus == 0 && star.components == 1 && star.interpreted.empty(), "a star is a sphere");
+    CHECK(star.genus == 0 && star.components == 1 && star.interpreted.empty(), "a star is a sphere");
   }
   for(const Soup& soup : {test::whole_quads(4, 3, false, false), test::whole_quads(5, 4, true, true), test::sphere(5, 3), test::star_prism(5)})
     unwrap("midpoints", test::with_midpoints(soup));
@@ -155,13 +156,13 @@ void test_polygons()
   Soup concave;
   concave.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0.1, 0}, {0, 4, 0}};
   concave.faces = {{0, 1, 2, 3, 4}};
-  check(std::abs(unwrap("concave", concave).average_distortion - 4) < 1e-6, "a flat polygon has no distortion");
+  CHECK(std::abs(unwrap("concave", concave).average_distortion - 4) < 1e-6, "a flat polygon has no distortion");
 
   // A pillow of two squares, one of which needs the other diagonal.
   Soup pillow = concave;
   pillow.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   pillow.faces = {{0, 1, 2, 3}, {3, 2, 1, 0}};
-  check(unwrap("pillow", pillow).genus == 0, "a pillow is a sphere");
+  CHECK(unwrap("pillow", pillow).genus == 0, "a pillow is a sphere");
 }
 
 void test_non_manifold()
@@ -169,8 +170,8 @@ void test_non_manifold()
   for(int k : {3, 4, 7, 20})
   {
     const SMC::Unwrap_soup_result result = unwrap("book", test::book(k, 3));
-    check(result.components == (k + 1) / 2, "pairs of sheets stay connected");
-    check(count(result, Kind::NON_MANIFOLD_EDGES) == 3, "edges of a book");
+    CHECK(result.components == (k + 1) / 2, "pairs of sheets stay connected");
+    CHECK(count(result, Kind::NON_MANIFOLD_EDGES) == 3, "edges of a book");
   }
   // Two tetrahedra that share an edge, or a face that both have, or a vertex, are two closed surfaces.
   const std::vector<std::array<double, 3> > points
@@ -182,7 +183,7 @@ void test_non_manifold()
     const Soup second = test::tetrahedron(other[0], other[1], other[2], other[3]);
     soup.faces.insert(soup.faces.end(), second.faces.begin(), second.faces.end());
     const SMC::Unwrap_soup_result result = unwrap("two tetrahedra", soup);
-    check(result.components == 2 && result.borders == 0 && result.genus == 0, "two closed tetrahedra");
+    CHECK(result.components == 2 && result.borders == 0 && result.genus == 0, "two closed tetrahedra");
   }
   // Sheets with a front and a back.
   for(int n : {1, 3, 8})
@@ -192,11 +193,11 @@ void test_non_manifold()
     for(std::size_t f = 0; f < number; ++f)
       two_sided.faces.push_back({two_sided.faces[f][2], two_sided.faces[f][1], two_sided.faces[f][0]});
     const SMC::Unwrap_soup_result result = unwrap("two-sided sheet", two_sided);
-    check(result.components == 2 && result.borders == 2 && count(result, Kind::REORIENTED_FACES) == 0,
+    CHECK(result.components == 2 && result.borders == 2 && count(result, Kind::REORIENTED_FACES) == 0,
           "front and back of a sheet");
   }
   for(int k : {9, 40, 101})
-    check(unwrap("many sheets", test::book(k, 1)).components == (k + 1) / 2, "pairs of many sheets stay connected");
+    CHECK(unwrap("many sheets", test::book(k, 1)).components == (k + 1) / 2, "pairs of many sheets stay connected");
 }
 
 // Comparing all pairs of sides would take hours.
@@ -215,7 +216,7 @@ void test_edge_of_many_sheets()
   }
   const SMC::internal::Soup_surface surface
     = SMC::internal::read_soup(points, polygons, SMC::internal::Welding(), SMC::internal::Execution::SEQUENTIAL);
-  check(std::count(surface.opposites.begin(), surface.opposites.end(), -1) == 3 * number, "sheets in pairs");
+  CHECK(std::count(surface.opposites.begin(), surface.opposites.end(), -1) == 3 * number, "sheets in pairs");
 }
 
 void test_orientation()
@@ -223,12 +224,12 @@ void test_orientation()
   for(int n : {3, 5, 20})
   {
     const SMC::Unwrap_soup_result result = unwrap("Moebius strip", test::moebius_strip(n));
-    check(count(result, Kind::NON_ORIENTABLE_EDGES) > 0, "a Moebius strip is opened");
+    CHECK(count(result, Kind::NON_ORIENTABLE_EDGES) > 0, "a Moebius strip is opened");
   }
   Soup soup = test::whole_quads(8, 6, true, true);
   for(std::size_t f : {3, 17, 30})
     std::reverse(soup.faces[f].begin(), soup.faces[f].end());
-  check(polygons(unwrap("three turned", soup), Kind::REORIENTED_FACES) == std::vector<std::size_t>({3, 17, 30}),
+  CHECK(polygons(unwrap("three turned", soup), Kind::REORIENTED_FACES) == std::vector<std::size_t>({3, 17, 30}),
         "the three turned polygons");
 }
 
@@ -244,20 +245,20 @@ void test_left_out()
   const std::vector<Kernel::Point_3> points = points_of(soup);
   Corner_uvs uvs;
   const SMC::Unwrap_soup_result result = SMC::unwrap_polygon_soup(points, soup.faces, uvs);
-  check(bool(result) && result.genus == 1 && result.borders == 0, "what is left out leaves no hole");
-  check(polygons(result, Kind::DUPLICATE_FACES) == std::vector<std::size_t>({48, 49}), "duplicates");
-  check(polygons(result, Kind::DEGENERATE_FACES) == std::vector<std::size_t>({50, 51, 52, 53}), "degenerate");
-  check(uvs[49] == uvs[5] && uvs[48][0] == uvs[5][2], "duplicates lie on the former polygon");
-  check(uvs[50][0] == uvs[50][2] && uvs[51][0] == uvs[51][1], "one vertex, one UV");
+  CHECK(result && result.genus == 1 && result.borders == 0, "what is left out leaves no hole");
+  CHECK(polygons(result, Kind::DUPLICATE_FACES) == std::vector<std::size_t>({48, 49}), "duplicates");
+  CHECK(polygons(result, Kind::DEGENERATE_FACES) == std::vector<std::size_t>({50, 51, 52, 53}), "degenerate");
+  CHECK(uvs[49] == uvs[5] && uvs[48][0] == uvs[5][2], "duplicates lie on the former polygon");
+  CHECK(uvs[50][0] == uvs[50][2] && uvs[51][0] == uvs[51][1], "one vertex, one UV");
   unwrap("left out", soup);
 
   // Nothing is left.
   soup.faces = {{0, 1, 0}};
-  check(SMC::unwrap_polygon_soup(points, soup.faces, uvs).status.code == SMC::Status_code::EMPTY_MESH, "no surface");
-  check(uvs.size() == 54, "without a result, the UVs stay");
+  CHECK(SMC::unwrap_polygon_soup(points, soup.faces, uvs).status.code == SMC::Status_code::EMPTY_MESH, "no surface");
+  CHECK(uvs.size() == 54, "without a result, the UVs stay");
   soup.faces = {{0, 1, 2}, {0, 1, 1000}};
   const SMC::Unwrap_soup_result wrong = SMC::unwrap_polygon_soup(points, soup.faces, uvs);
-  check(wrong.status.code == SMC::Status_code::WRONG_PARAMETER && wrong.status.faces == std::vector<std::size_t>{1},
+  CHECK(wrong.status.code == SMC::Status_code::WRONG_PARAMETER && wrong.status.faces == std::vector<std::size_t>{1},
         "an index out of range");
 }
 
@@ -269,7 +270,7 @@ void test_odd_polygons()
                   {std::nan(""), 0, 0}};
   plate.faces = {{0, 1, 2, 3, 0, 4, 7, 6, 5, 4}};
   const SMC::Unwrap_soup_result whole = unwrap("plate with a hole", plate);
-  check(whole.borders == 2 && whole.interpreted.empty(), "a bridge is no border");
+  CHECK(whole.borders == 2 && whole.interpreted.empty(), "a bridge is no border");
   for(int n : {20, 200}) // and a round hole
   {
     Soup round = plate;
@@ -283,19 +284,19 @@ void test_odd_polygons()
         round.points.push_back({2 + std::cos(angle), 2 + std::sin(angle), 0});
     }
     const SMC::Unwrap_soup_result result = unwrap("plate with a round hole", round);
-    check(result.borders == 2 && std::abs(result.average_distortion - 4) < 0.1, "a flat ring");
+    CHECK(result.borders == 2 && std::abs(result.average_distortion - 4) < 0.1, "a flat ring");
   }
   plate.points[8] = {9, 0, 0};
   plate.faces = {{0, 1, 2, 0, 3, 8}, {1, 1, 8, 5}, {4, 5, 6, 5}, {4, 5, 4, 7, 4}};
   const std::vector<Kernel::Point_3> points = points_of(plate);
   Corner_uvs uvs;
   const SMC::Unwrap_soup_result result = SMC::unwrap_polygon_soup(points, plate.faces, uvs);
-  check(bool(result) && polygons(result, Kind::DIVIDED_FACES) == std::vector<std::size_t>({0}), "two loops");
-  check(polygons(result, Kind::REPEATED_CORNERS) == std::vector<std::size_t>({1}) && uvs[1][0] == uvs[1][1], "one corner");
-  check(polygons(result, Kind::DEGENERATE_FACES) == std::vector<std::size_t>({2, 3}), "there and back");
-  check(bool(SMC::certify_unwrapped_polygon_soup(points, plate.faces, uvs)), "a certificate");
+  CHECK(result && polygons(result, Kind::DIVIDED_FACES) == std::vector<std::size_t>({0}), "two loops");
+  CHECK(polygons(result, Kind::REPEATED_CORNERS) == std::vector<std::size_t>({1}) && uvs[1][0] == uvs[1][1], "one corner");
+  CHECK(polygons(result, Kind::DEGENERATE_FACES) == std::vector<std::size_t>({2, 3}), "there and back");
+  CHECK(SMC::certify_unwrapped_polygon_soup(points, plate.faces, uvs), "a certificate");
   uvs[1][1] = Kernel::Point_2(uvs[1][1].x() + 1, uvs[1][1].y());
-  check(!SMC::certify_unwrapped_polygon_soup(points, plate.faces, uvs), "a repeated corner elsewhere is torn off");
+  CHECK(!SMC::certify_unwrapped_polygon_soup(points, plate.faces, uvs), "a repeated corner elsewhere is torn off");
 }
 
 void test_tolerance()
@@ -312,12 +313,12 @@ void test_tolerance()
     return SMC::unwrap_polygon_soup(points, soup.faces, uvs,
                                     CGAL::parameters::do_weld_points(do_weld).weld_tolerance(tolerance));
   };
-  check(pieces(true, 0).components == 48 && pieces(true, 1e-9).components == 48, "not near enough");
-  check(pieces(true, 1e-6).components == 1 && pieces(true, 1e-3).genus == 1, "near enough");
+  CHECK(pieces(true, 0).components == 48 && pieces(true, 1e-9).components == 48, "not near enough");
+  CHECK(pieces(true, 1e-6).components == 1 && pieces(true, 1e-3).genus == 1, "near enough");
   for(double wrong : {-1., 0.1, std::nan("")})
-    check(pieces(true, wrong).status.code == SMC::Status_code::WRONG_PARAMETER, "a wrong tolerance");
+    CHECK(pieces(true, wrong).status.code == SMC::Status_code::WRONG_PARAMETER, "a wrong tolerance");
   const SMC::Unwrap_soup_result warned = pieces(true, 0);
-  check(std::any_of(warned.status.warnings.begin(), warned.status.warnings.end(), [](const auto& warning)
+  CHECK(std::any_of(warned.status.warnings.begin(), warned.status.warnings.end(), [](const auto& warning)
                     { return warning.message.find("weld_tolerance(1e-07)") != std::string::npos; }),
         "a tolerance that helps");
 }
@@ -326,10 +327,10 @@ void test_welding()
 {
   const Soup torus = test::whole_quads(8, 6, true, true);
   const Soup soup = test::without_indices(torus);
-  check(unwrap("no indices", soup).components == 48, "each polygon for itself");
+  CHECK(unwrap("no indices", soup).components == 48, "each polygon for itself");
   const SMC::Unwrap_soup_result welded = unwrap("welded", soup, true);
-  check(welded.components == 1 && welded.genus == 1, "the torus");
-  check(count(welded, Kind::WELDED_VERTICES) == soup.points.size() - torus.points.size(), "welded vertices");
+  CHECK(welded.components == 1 && welded.genus == 1, "the torus");
+  CHECK(count(welded, Kind::WELDED_VERTICES) == soup.points.size() - torus.points.size(), "welded vertices");
 }
 
 // Any polygons between few points.
@@ -359,8 +360,11 @@ void test_random(CGAL::Random& random)
   }
 }
 
+} // namespace polygon_soups_test
+
 int main()
 {
+  using namespace polygon_soups_test;
   CGAL::Random random(20261122);
   std::cout << "seed " << random.get_seed() << std::endl;
   test_polygons();

@@ -1,7 +1,7 @@
 // Random soups with all that goes wrong: what is written is checked with exact arithmetic, independently of how the
 // soup is read. Every polygon with area has UVs of this orientation, and no two of these polygons overlap.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "exact_outlines.h"
 #include "random_soups.h"
 
@@ -20,11 +20,12 @@
 #include <utility>
 #include <vector>
 
+namespace random_soups_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
 using Kernel = CGAL::Simple_cartesian<double>;
 using test::Polygon;
 using test::Soup;
-using test::check;
 using Kind = SMC::Interpretation_kind;
 using Corner_uvs = std::vector<std::vector<Kernel::Point_2> >;
 
@@ -122,12 +123,12 @@ void check_soup(const std::string& name, const Soup& soup, std::size_t& number_o
   Corner_uvs uvs;
   const auto np = CGAL::parameters::do_bijective(true).effort(SMC::Effort::FAST);
   const SMC::Unwrap_soup_result result = SMC::unwrap_polygon_soup(points, soup.faces, uvs, np);
-  check(bool(result) && result.flips == 0 && result.overlaps == 0, name + ": " + result.status.message);
+  CHECK(result && result.flips == 0 && result.overlaps == 0, name + ": " + result.status.message);
   if(!result.has_result)
     return;
   const SMC::Status<SMC::Polygon_soup> certificate
     = SMC::certify_unwrapped_polygon_soup(points, soup.faces, uvs, CGAL::parameters::do_bijective(true));
-  check(bool(certificate), name + ": certificate: " + certificate.message);
+  CHECK(certificate, name + ": certificate: " + certificate.message);
 
   const std::set<std::size_t> flat = polygons(result, Kind::DEGENERATE_FACES), duplicates = polygons(result, Kind::DUPLICATE_FACES),
                               turned = polygons(result, Kind::REORIENTED_FACES), divided = polygons(result, Kind::DIVIDED_FACES);
@@ -138,7 +139,7 @@ void check_soup(const std::string& name, const Soup& soup, std::size_t& number_o
     const Polygon& polygon = soup.faces[p];
     if(flat.count(p) > 0)
     {
-      check(leads_there_and_back(polygon), name + ": a polygon without area");
+      CHECK(leads_there_and_back(polygon), name + ": a polygon without area");
       continue;
     }
     std::vector<std::vector<std::size_t> > parts = divided.count(p) > 0 ? loops(polygon)
@@ -154,7 +155,7 @@ void check_soup(const std::string& name, const Soup& soup, std::size_t& number_o
       }
       if(!former.insert(from_least(vertices)).second)
       {
-        check(duplicates.count(p) > 0, name + ": a duplicate is reported");
+        CHECK(duplicates.count(p) > 0, name + ": a duplicate is reported");
         continue; // it lies where the former one does, as the certificate says
       }
       if(turned.count(p) > 0)
@@ -162,23 +163,26 @@ void check_soup(const std::string& name, const Soup& soup, std::size_t& number_o
       // The loops of a polygon may be turned independently; the report names the polygon alone.
       if(parts.size() > 1 && test::signed_area(of_uvs) < 0 && turned.count(p) > 0)
         std::reverse(of_uvs.begin(), of_uvs.end());
-      check(test::signed_area(of_uvs) > 0, name + ": orientation of polygon " + std::to_string(p));
+      CHECK(test::signed_area(of_uvs) > 0, name + ": orientation of polygon " + std::to_string(p));
       outlines.push_back(of_uvs);
     }
   }
   number_of_outlines += outlines.size();
   for(std::size_t i = 0; i < outlines.size(); ++i)
     for(std::size_t j = 0; j <= i; ++j)
-      check(!test::overlap(outlines[i], outlines[j], i == j), name + ": overlap of " + std::to_string(j) + " and " + std::to_string(i));
+      CHECK(!test::overlap(outlines[i], outlines[j], i == j), name + ": overlap of " + std::to_string(j) + " and " + std::to_string(i));
 }
+
+} // namespace random_soups_test
 
 int main()
 {
+  using namespace random_soups_test;
   CGAL::Random random(20261129);
   std::cout << "seed " << random.get_seed() << std::endl;
   std::size_t number_of_outlines = 0;
   for(int i = 0; i < 2000; ++i)
     check_soup("soup " + std::to_string(i), test::random_soup(random), number_of_outlines);
-  check(number_of_outlines > 10000, "number of polygons that were compared");
+  CHECK(number_of_outlines > 10000, "number of polygons that were compared");
   return test::exit_status();
 }

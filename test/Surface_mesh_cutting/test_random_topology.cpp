@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace random_topology_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
 using SMC::Status_code;
 
@@ -285,8 +287,11 @@ std::string find_error(const Case& c, const SMC::Unwrap_result<Mesh>& result)
   return "";
 }
 
+} // namespace random_topology_test
+
 int main(int argc, char** argv)
 {
+  using namespace random_topology_test;
   const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 1;
   const int number = argc > 2 ? std::atoi(argv[2]) : 1000;
   int refused = 0, failures = 0;
@@ -319,4 +324,5 @@ int main(int argc, char** argv)
   std::cout << "seeds " << seed << " to " << seed + unsigned(number) - 1 << ": " << number << " cases, " << refused
             << " refused, " << failures << " failures" << std::endl;
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return test::exit_status();
 }

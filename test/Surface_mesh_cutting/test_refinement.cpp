@@ -2,7 +2,7 @@
 // trade-offs, and what a stopped run leaves. Results are proven by the certificate, energies are
 // measured anew from the UVs.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "star_shapes.h"
 #include "surface_meshes.h"
 
@@ -31,8 +31,9 @@
 #include <string>
 #include <vector>
 
+namespace refinement_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using CGAL::parameters::effort;
 using SMC::Status_code;
@@ -87,13 +88,10 @@ template <typename Result>
 void check_trade_offs(const Result& result)
 {
   const std::vector<SMC::Trade_off>& t = result.trade_offs;
-  bool is_monotonic = true, holds_result = false;
-  for(std::size_t i = 0; i < t.size(); ++i)
-  {
-    is_monotonic = is_monotonic && (i == 0 || (t[i - 1].cut_length < t[i].cut_length && t[i - 1].average_distortion > t[i].average_distortion));
-    holds_result = holds_result || std::abs(t[i].cut_length - result.cut_length) < 1e-9 * result.cut_length;
-  }
-  check(!t.empty() && is_monotonic && holds_result, "trade-offs: from short to long, with the result");
+  for(std::size_t i = 1; i < t.size(); ++i)
+    CHECK(t[i - 1].cut_length < t[i].cut_length && t[i - 1].average_distortion > t[i].average_distortion);
+  CHECK(std::any_of(t.begin(), t.end(), [&](const SMC::Trade_off& trade_off)
+                    { return std::abs(trade_off.cut_length - result.cut_length) < 1e-9 * result.cut_length; }));
 }
 
 // Of random trade-offs with costs that are equal, nearly so, or not, those remain that no other one is better than, and the
@@ -125,9 +123,9 @@ void test_undominated_trade_offs(CGAL::Random& random)
                                                  kept[i - 1].average_distortion > kept[i].average_distortion));
       holds_result = holds_result || (kept[i].cut_cost == own.cut_cost && kept[i].average_distortion == own.average_distortion);
     }
-    check(is_monotonic && holds_result, "undominated trade-offs: from cheap to expensive, with the result");
+    CHECK(is_monotonic && holds_result, "undominated trade-offs: from cheap to expensive, with the result");
     for(const SMC::Trade_off& t : all) // each one is dominated, or kept, or claims to beat the result
-      check((t.average_distortion <= own.average_distortion && t.cut_cost <= own.cut_cost * (1 + rounding)) ||
+      CHECK((t.average_distortion <= own.average_distortion && t.cut_cost <= own.cut_cost * (1 + rounding)) ||
             std::any_of(kept.begin(), kept.end(), [&](const SMC::Trade_off& k)
                         { return k.cut_cost <= t.cut_cost * (1 + rounding) && k.average_distortion <= t.average_distortion; }),
             "undominated trade-offs: none is missing");
@@ -139,7 +137,7 @@ void test_bounds()
   Mesh mesh = star(16);
   Maps plain(mesh, "plain");
   const auto unbounded = SMC::unwrap(mesh, plain.is_cut, plain.uv, effort(SMC::Effort::FAST));
-  check(bool(unbounded), "no bound");
+  CHECK(unbounded, "no bound");
   check_trade_offs(unbounded);
   double former_length = 0;
   for(double bound : {4.3, 4.1, 4.04})
@@ -147,20 +145,20 @@ void test_bounds()
     Maps maps(mesh, std::to_string(bound).c_str());
     const auto np = CGAL::parameters::maximum_average_distortion(bound).effort(SMC::Effort::FAST);
     const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, np);
-    check(bool(result) && bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "bounded");
+    CHECK(result && SMC::certify_unwrap(mesh, maps.is_cut, maps.uv), "bounded");
     std::cout << bound << ": length " << result.cut_length << ", energy " << result.average_distortion << " " << result.status.message << std::endl;
-    check(measure(mesh, maps) <= bound + 1e-12, "the bound holds for what was written");
-    check(std::abs(measure(mesh, maps) - result.average_distortion) < 1e-9, "the energy that is reported");
-    check(result.cut_length > former_length, "a lower bound takes a longer cut");
+    CHECK(measure(mesh, maps) <= bound + 1e-12, "the bound holds for what was written");
+    CHECK(std::abs(measure(mesh, maps) - result.average_distortion) < 1e-9, "the energy that is reported");
+    CHECK(result.cut_length > former_length, "a lower bound takes a longer cut");
     former_length = result.cut_length;
     check_trade_offs(result);
 
     Maps flat(mesh, ("flat" + std::to_string(bound)).c_str());
     const auto bijective = SMC::unwrap(mesh, flat.is_cut, flat.uv, np.do_bijective(true));
     std::cout << "bijective: length " << bijective.cut_length << ", energy " << bijective.average_distortion << std::endl;
-    check(bijective.has_result && bijective.overlaps == 0 && bijective.flips == 0, "bounded and bijective");
-    check(bool(bijective) == (measure(mesh, flat) <= bound + 1e-12), "a missed bound is reported");
-    check(bool(bijective) || bound < 4.2, "a modest bound can be kept by a bijective map");
+    CHECK(bijective.has_result && bijective.overlaps == 0 && bijective.flips == 0, "bounded and bijective");
+    CHECK(bool(bijective) == (measure(mesh, flat) <= bound + 1e-12), "a missed bound is reported");
+    CHECK(bijective || bound < 4.2, "a modest bound can be kept by a bijective map");
   }
 }
 
@@ -168,21 +166,21 @@ void test_bounds()
 void test_objective()
 {
   const SMC::internal::Objective sum(std::numeric_limits<double>::infinity(), 0.5);
-  check(std::abs(sum(2, 4.25) - 1.25) < 1e-12 && std::abs(sum.largest_energy(4.25, 0.5) - 4.5) < 1e-12, "the sum");
-  check(sum.rank(1, 4.2) < sum.rank(1, 4.3) && sum.rank(9, 9) < sum.rank(0, std::numeric_limits<double>::quiet_NaN()),
+  CHECK(std::abs(sum(2, 4.25) - 1.25) < 1e-12 && std::abs(sum.largest_energy(4.25, 0.5) - 4.5) < 1e-12, "the sum");
+  CHECK(sum.rank(1, 4.2) < sum.rank(1, 4.3) && sum.rank(9, 9) < sum.rank(0, std::numeric_limits<double>::quiet_NaN()),
         "the smaller sum first, no map last");
   SMC::internal::Objective cost(4.1, 0);
-  check(cost.rank(9, 4.1) < cost.rank(1, 4.2) && cost.rank(1, 4.1) < cost.rank(2, 4.), "first the bound, then the cost");
+  CHECK(cost.rank(9, 4.1) < cost.rank(1, 4.2) && cost.rank(1, 4.1) < cost.rank(2, 4.), "first the bound, then the cost");
   const auto is_near = [](double a, double b) { return std::abs(a - b) < 1e-9; };
-  check(is_near(cost(2, 4.1), 2), "at the bound");
-  check(is_near(cost(2, 4.2), 2 * std::cbrt(2.)) && is_near(cost(2, 4.0125), 1), "the third power of the length");
-  check(is_near(cost(2, 4), 0) && is_near(cost(2, 3.9), 0), "no distortion");
-  check(cost.can_tell(4) && cost.can_tell(4.114) && !cost.can_tell(4.116), "far above the bound");
+  CHECK(is_near(cost(2, 4.1), 2), "at the bound");
+  CHECK(is_near(cost(2, 4.2), 2 * std::cbrt(2.)) && is_near(cost(2, 4.0125), 1), "the third power of the length");
+  CHECK(is_near(cost(2, 4), 0) && is_near(cost(2, 3.9), 0), "no distortion");
+  CHECK(cost.can_tell(4) && cost.can_tell(4.114) && !cost.can_tell(4.116), "far above the bound");
   const double before = cost(1, 4.05);
   cost.compare_with(4.05);
-  check(cost(1, 4.05) > before, "length counts more as long as there is room");
+  CHECK(cost(1, 4.05) > before, "length counts more as long as there is room");
   cost.compare_with(4.11);
-  check(cost(1, 4.11) > std::cbrt(1.1), "and less above the bound");
+  CHECK(cost(1, 4.11) > std::cbrt(1.1), "and less above the bound");
 }
 
 // Ways where the map is distorted cost less, by as much as it is distorted there; without distortion, all cost what they are.
@@ -202,7 +200,7 @@ void test_distortion_tree(CGAL::Random& random)
   };
   std::vector<double> distortion(mesh.number_of_vertices(), ideal);
   const double shortest = internal::cut_length(mesh, tree(distortion).cut);
-  check(std::abs(shortest - test::distances_by_relaxation(mesh, a)[b]) < 1e-9, "without distortion, the shortest path");
+  CHECK(std::abs(shortest - test::distances_by_relaxation(mesh, a)[b]) < 1e-9, "without distortion, the shortest path");
 
   for(double& d : distortion)
     d = ideal + random.get_double(0, 100 * (energy - ideal));
@@ -217,7 +215,7 @@ void test_distortion_tree(CGAL::Random& random)
     return cost;
   };
   const internal::Cut way = tree(distortion).cut;
-  check(internal::cut_length(mesh, way) >= shortest - 1e-9, "no way is shorter than the shortest one");
+  CHECK(internal::cut_length(mesh, way) >= shortest - 1e-9, "no way is shorter than the shortest one");
   for(int v = 0; v < mesh.number_of_vertices(); ++v) // detours
   {
     if(v == a || v == b)
@@ -226,7 +224,7 @@ void test_distortion_tree(CGAL::Random& random)
       = internal::connect_terminals(mesh, problem.constraints, {a, v, b}, CGAL::internal::Steiner_tree::Options(),
                                     internal::Execution::SEQUENTIAL,
                                     CGAL::internal::Graph_kernel::always_go_further).cut;
-    check(lowered(way) <= lowered(detour) + 1e-9, "no detour is cheaper");
+    CHECK(lowered(way) <= lowered(detour) + 1e-9, "no detour is cheaper");
   }
 }
 
@@ -240,9 +238,9 @@ void test_moved_ends()
   const auto first = SMC::unwrap(mesh, fast.is_cut, fast.uv, np.effort(SMC::Effort::FAST));
   const auto second = SMC::unwrap(mesh, moved.is_cut, moved.uv, np);
   std::cout << "moved ends: length " << first.cut_length << " -> " << second.cut_length << std::endl;
-  check(bool(second) && bool(SMC::certify_unwrap(mesh, moved.is_cut, moved.uv)), "moved ends");
-  check(measure(mesh, moved) <= bound + 1e-12, "the bound holds with moved ends");
-  check(second.cut_length < 0.95 * first.cut_length, "moved ends make a cut shorter");
+  CHECK(second && SMC::certify_unwrap(mesh, moved.is_cut, moved.uv), "moved ends");
+  CHECK(measure(mesh, moved) <= bound + 1e-12, "the bound holds with moved ends");
+  CHECK(second.cut_length < 0.95 * first.cut_length, "moved ends make a cut shorter");
   check_trade_offs(second);
 }
 
@@ -257,9 +255,9 @@ void test_room_at_bound(SMC::Effort effort, const std::string& name)
   const auto first = SMC::unwrap(mesh, overlapping.is_cut, overlapping.uv, np);
   const auto second = SMC::unwrap(mesh, injective.is_cut, injective.uv, np.do_bijective(true));
   std::cout << "room, " << name << ": length " << first.cut_length << " -> " << second.cut_length << std::endl;
-  check(bool(second) && second.overlaps == 0 && bool(SMC::certify_unwrap(mesh, injective.is_cut, injective.uv)), name);
-  check(measure(mesh, injective) <= bound + 1e-12, name + ": the bound holds without overlaps");
-  check(second.cut_length < 4. / 3 * first.cut_length, name + ": room takes little of the cut");
+  CHECK(second && second.overlaps == 0 && SMC::certify_unwrap(mesh, injective.is_cut, injective.uv), name);
+  CHECK(measure(mesh, injective) <= bound + 1e-12, name + ": the bound holds without overlaps");
+  CHECK(second.cut_length < 4. / 3 * first.cut_length, name + ": room takes little of the cut");
 }
 
 // Where nothing may be cut on one half of the surface, no cut flattens that; the run ends all the same,
@@ -273,11 +271,11 @@ void test_unreachable_bound()
     is_forbidden[e] = mesh.point(mesh.vertex(e, 0)).z() > 0 && mesh.point(mesh.vertex(e, 1)).z() > 0;
   const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv,
                                   CGAL::parameters::maximum_average_distortion(4.001).edge_is_forbidden_map(is_forbidden));
-  check(result.status.code == Status_code::BOUND_NOT_REACHED && result.has_result, "a bound out of reach");
-  check(result.status.message.find("the bound 4.001") != std::string::npos, "the bound is told");
-  check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate beyond the bound");
+  CHECK(result.status.code == Status_code::BOUND_NOT_REACHED && result.has_result, "a bound out of reach");
+  CHECK(result.status.message.find("the bound 4.001") != std::string::npos, "the bound is told");
+  CHECK(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv), "certificate beyond the bound");
   for(double bound : {4., 0., -1., std::numeric_limits<double>::quiet_NaN()})
-    check(SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::maximum_average_distortion(bound)).status.code ==
+    CHECK(SMC::greedy_cut(mesh, maps.is_cut, CGAL::parameters::maximum_average_distortion(bound)).status.code ==
           Status_code::WRONG_PARAMETER, "no bound at all");
 }
 
@@ -285,7 +283,7 @@ void test_unreachable_bound()
 void test_corners(CGAL::Random& random)
 {
   const std::vector<double> defects = SMC::internal::angle_defects(test::random_star_shape(8, random));
-  check(std::abs(std::accumulate(defects.begin(), defects.end(), 0.) - 4 * CGAL_PI) < 1e-9, "the curvature of a sphere");
+  CHECK(std::abs(std::accumulate(defects.begin(), defects.end(), 0.) - 4 * CGAL_PI) < 1e-9, "the curvature of a sphere");
 }
 
 // More work lowers what is minimized.
@@ -297,7 +295,7 @@ void test_shortening()
   const auto second = SMC::unwrap(mesh, slow.is_cut, slow.uv);
   const auto sum = [](const auto& result)
   { return result.average_distortion + 0.15 * result.cut_length / result.bounding_box_diagonal; };
-  check(bool(first) && bool(second) && sum(second) <= sum(first) + 1e-9, "more work, no larger sum");
+  CHECK(first && second && sum(second) <= sum(first) + 1e-9, "more work, no larger sum");
 }
 
 void test_coarser_version()
@@ -307,9 +305,9 @@ void test_coarser_version()
   const auto np = effort(SMC::Effort::FAST);
   const auto first = SMC::unwrap(mesh, coarse.is_cut, coarse.uv, np.coarse_number_of_faces(800));
   const auto second = SMC::unwrap(mesh, fine.is_cut, fine.uv, np.coarse_number_of_faces(0));
-  check(bool(first) && bool(second) && bool(SMC::certify_unwrap(mesh, coarse.is_cut, coarse.uv)), "coarser version");
-  check(first.number_of_candidates < second.number_of_candidates || first.number_of_features <= second.number_of_features, "fewer candidates");
-  check(std::abs(first.average_distortion - second.average_distortion) < 0.1, "about the same energy");
+  CHECK(first && second && SMC::certify_unwrap(mesh, coarse.is_cut, coarse.uv), "coarser version");
+  CHECK(first.number_of_candidates < second.number_of_candidates || first.number_of_features <= second.number_of_features, "fewer candidates");
+  CHECK(std::abs(first.average_distortion - second.average_distortion) < 0.1, "about the same energy");
 }
 
 // The starts of the first seeds are taken whichever of these is given, so that they lead to the same cut.
@@ -322,33 +320,33 @@ void test_compared_starts()
   {
     Maps maps(mesh, "seed " + std::to_string(seed));
     const auto np = CGAL::parameters::maximum_average_distortion(bound).coarse_number_of_faces(1000).random_seed(seed);
-    check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, np)) && measure(mesh, maps) <= bound + 1e-12, "any seed");
+    CHECK(SMC::unwrap(mesh, maps.is_cut, maps.uv, np) && measure(mesh, maps) <= bound + 1e-12, "any seed");
     cuts.emplace_back();
     for(Mesh::Edge_index e : mesh.edges())
       cuts.back().push_back(maps.is_cut[e]);
   }
-  check(cuts[1] == cuts[0] && cuts[2] == cuts[0] && cuts[3] == cuts[0], "the first seeds lead to the same cut");
+  CHECK(cuts[1] == cuts[0] && cuts[2] == cuts[0] && cuts[3] == cuts[0], "the first seeds lead to the same cut");
 }
 
 void test_given_cuts()
 {
   Mesh mesh = star(10);
   Maps given(mesh, "given"), found(mesh, "found");
-  check(bool(SMC::greedy_cut(mesh, given.is_cut)), "a cut to start from");
+  CHECK(SMC::greedy_cut(mesh, given.is_cut), "a cut to start from");
   const double length = SMC::cut_length(mesh, given.is_cut);
   const auto result = SMC::unwrap(mesh, found.is_cut, found.uv,
                                   CGAL::parameters::initial_cut_map(given.is_cut).effort(SMC::Effort::FAST));
-  check(bool(result) && bool(SMC::certify_unwrap(mesh, found.is_cut, found.uv)), "from a given cut");
-  check(result.cut_length > 0.5 * length, "a given cut is extended, not replaced");
+  CHECK(result && SMC::certify_unwrap(mesh, found.is_cut, found.uv), "from a given cut");
+  CHECK(result.cut_length > 0.5 * length, "a given cut is extended, not replaced");
 
   // Seams that separate the surface, and a single edge.
   for(int e = 0; e < int(mesh.number_of_edges()); ++e)
     given.is_cut[Mesh::Edge_index(e)] = e % 3 == 0;
   const auto shortened = SMC::unwrap(mesh, found.is_cut, found.uv, CGAL::parameters::initial_cut_map(given.is_cut));
-  check(bool(shortened) && shortened.trade_offs.size() > 2, "seams that separate, and what lies on the way from them");
+  CHECK(shortened && shortened.trade_offs.size() > 2, "seams that separate, and what lies on the way from them");
   for(Mesh::Edge_index e : mesh.edges())
     given.is_cut[e] = e == Mesh::Edge_index(0);
-  check(bool(SMC::unwrap(mesh, found.is_cut, found.uv, CGAL::parameters::initial_cut_map(given.is_cut))), "one edge");
+  CHECK(SMC::unwrap(mesh, found.is_cut, found.uv, CGAL::parameters::initial_cut_map(given.is_cut)), "one edge");
 }
 
 // Counts the questions, and stops at one of them.
@@ -364,19 +362,22 @@ void test_stopping()
   Maps maps(mesh, "stopped");
   const auto np = CGAL::parameters::maximum_average_distortion(4.05);
   Stopping_visitor counter;
-  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(counter)))), "not stopped");
+  CHECK(SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(counter))), "not stopped");
   for(int i = 0; i <= 6; ++i)
   {
     Stopping_visitor visitor;
     visitor.last = 2 + i * (counter.questions - 3) / 6;
     const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv, np.visitor(std::ref(visitor)));
-    check(result.status.code == Status_code::STOPPED, "stopped");
-    check(result.has_result && bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "each stop leaves a valid result");
+    CHECK(result.status.code == Status_code::STOPPED, "stopped");
+    CHECK(result.has_result && SMC::certify_unwrap(mesh, maps.is_cut, maps.uv), "each stop leaves a valid result");
   }
 }
 
+} // namespace refinement_test
+
 int main()
 {
+  using namespace refinement_test;
   const unsigned int seed = CGAL::get_default_random().get_seed();
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);

@@ -1,7 +1,7 @@
 // The paths that open a surface for the search of candidates (paper, Section 3.1.1): the one to the farthest vertex,
 // and the second one, in the region far from the first, against a plain implementation.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
@@ -17,8 +17,9 @@
 #include <string>
 #include <vector>
 
+namespace second_cut_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting::internal;
-using test::check;
 using test::Indexed_mesh;
 
 // The edges of some faces.
@@ -106,7 +107,7 @@ void check_faithful_cut(const Indexed_mesh& mesh, const std::vector<int>& path, 
                         int random_number)
 {
   const std::vector<char> is_allowed = edges_of(mesh, region);
-  check(std::all_of(path.begin(), path.end(), [&](int e) { return is_allowed[e]; }), "a path within the region");
+  CHECK(std::all_of(path.begin(), path.end(), [&](int e) { return is_allowed[e]; }), "a path within the region");
   const int face = *std::next(region.begin(), random_number % int(region.size()));
   const int start = mesh.triangles()[face][0];
   const std::vector<double> distances = test::distances_by_relaxation(mesh, start, is_allowed);
@@ -115,9 +116,9 @@ void check_faithful_cut(const Indexed_mesh& mesh, const std::vector<int>& path, 
     if(d < std::numeric_limits<double>::infinity())
       farthest = (std::max)(farthest, d);
   const double length = SMC::total_length(mesh, path);
-  check(std::abs(length - farthest) <= 1e-12 * length || (path.size() == 2 && length > farthest),
+  CHECK(std::abs(length - farthest) <= 1e-12 * length || (path.size() == 2 && length > farthest),
         "the farthest vertex in the region");
-  check(path.size() == 2 || is_path(mesh, path, start), "a path from the start");
+  CHECK(path.size() == 2 || is_path(mesh, path, start), "a path from the start");
 }
 
 void test_second_cut(CGAL::Random& random)
@@ -135,12 +136,12 @@ void test_second_cut(CGAL::Random& random)
   SMC::Run_control control;
   const std::vector<int> path = SMC::second_cut(mesh, random_number, first, maximizers, parameters, control);
   check_faithful_cut(mesh, path, region(mesh, first, maximizers, parameters), random_number);
-  check(path == SMC::second_cut(mesh, random_number, first, maximizers, parameters, control), "the same twice");
+  CHECK(path == SMC::second_cut(mesh, random_number, first, maximizers, parameters, control), "the same twice");
 
   // Unless the paper is followed, a path is longer than in a tiny region.
   parameters.use_published_method = false;
   const std::vector<int> useful = SMC::second_cut(mesh, random_number, first, maximizers, parameters, control);
-  check(SMC::total_length(mesh, useful) >= 0.1 * SMC::total_length(mesh, first), "a path of useful length");
+  CHECK(SMC::total_length(mesh, useful) >= 0.1 * SMC::total_length(mesh, first), "a path of useful length");
 }
 
 // One sweep ends at the vertex farthest from the start, in a region that may be a single face: the edge that extends a
@@ -174,13 +175,16 @@ void test_whole_area(CGAL::Random& random)
     int calls = 0;
     SMC::Run_control control([&calls] { return ++calls < 10000; }, {});
     const std::vector<int> first = SMC::path_to_farthest_vertex(mesh, 0, 1);
-    check(!SMC::second_cut(mesh, 0, first, {}, parameters, control).empty() && !control.is_stopped(),
+    CHECK(!SMC::second_cut(mesh, 0, first, {}, parameters, control).empty() && !control.is_stopped(),
           "a second cut where no region is forbidden");
   }
 }
 
+} // namespace second_cut_test
+
 int main(int argc, char** argv)
 {
+  using namespace second_cut_test;
   const unsigned int seed = argc > 1 ? unsigned(std::atoi(argv[1])) : 12;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);

@@ -1,7 +1,7 @@
 // The named parameter `sparse_linear_solver`: what is given solves the systems, its analysis is kept, its failure is
 // reported, and it gives the same for every number of threads.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "surface_meshes.h"
 #include "../Surface_mesh_parameterization/Recording_solver.h"
 
@@ -25,8 +25,9 @@
 #include <iterator>
 #include <vector>
 
+namespace sparse_linear_solver_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 using SMC::Status_code;
 using test::Surface_mesh;
 using Matrix = Eigen::SparseMatrix<double>;
@@ -79,8 +80,8 @@ Run unwrap_with(const Surface_mesh& mesh, const Solver& solver)
 
 void check_like_default(const Run& run, const Run& expected, const char* solver)
 {
-  check(bool(run.result) && run.is_certified, solver);
-  check(std::abs(run.result.average_distortion - expected.result.average_distortion) < 1e-4 &&
+  CHECK(run.result && run.is_certified, solver);
+  CHECK(std::abs(run.result.average_distortion - expected.result.average_distortion) < 1e-4 &&
         std::abs(run.result.cut_length - expected.result.cut_length) < 1e-9, solver);
 }
 
@@ -88,8 +89,8 @@ void test_solvers(const Surface_mesh& mesh)
 {
   const Run expected = unwrap(mesh, CGAL::parameters::do_bijective(true));
   std::cout << "E " << expected.result.average_distortion << ", length " << expected.result.cut_length << std::endl;
-  check(bool(expected.result) && expected.is_certified, "built-in solver");
-  check(unwrap_with(mesh, CGAL::Default()).values == expected.values, "named default");
+  CHECK(expected.result && expected.is_certified, "built-in solver");
+  CHECK(unwrap_with(mesh, CGAL::Default()).values == expected.values, "named default");
 
   check_like_default(unwrap_with(mesh, CGAL::Eigen_solver_traits<LLT>()), expected, "LLT");
   check_like_default(unwrap_with(mesh, CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix, Eigen::Upper> >()),
@@ -100,7 +101,7 @@ void test_solvers(const Surface_mesh& mesh)
   Solver_record record;
   check_like_default(unwrap_with(mesh, Recording_solver(record)), expected, "own solver");
   std::cout << record.analyses << " analyses, " << record.factorizations << " factorizations" << std::endl;
-  check(record.analyses > 10 && record.factorizations > record.analyses, "analysis is kept");
+  CHECK(record.analyses > 10 && record.factorizations > record.analyses, "analysis is kept");
 }
 
 struct Broken_solver : LLT
@@ -114,17 +115,17 @@ void test_failure(const Surface_mesh& mesh)
   Solver_record record;
   Recording_solver solver(record);
   solver.is_broken = true;
-  check(unwrap_with(mesh, solver).result.status.code == Status_code::NUMERICAL_FAILURE, "failure of a copy");
-  check(record.factorizations > 0, "the copy was asked");
-  check(unwrap_with(mesh, CGAL::Eigen_solver_traits<Broken_solver>()).result.status.code == Status_code::NUMERICAL_FAILURE,
+  CHECK(unwrap_with(mesh, solver).result.status.code == Status_code::NUMERICAL_FAILURE, "failure of a copy");
+  CHECK(record.factorizations > 0, "the copy was asked");
+  CHECK(unwrap_with(mesh, CGAL::Eigen_solver_traits<Broken_solver>()).result.status.code == Status_code::NUMERICAL_FAILURE,
         "failure of what traits hold");
 
   Surface_mesh copy = mesh;
   const auto is_cut = copy.add_property_map<Surface_mesh::Edge_index, bool>("e:is_cut", false).first;
   const auto np = CGAL::parameters::sparse_linear_solver(solver);
-  check(SMC::greedy_cut(copy, is_cut, np).status.code == Status_code::NUMERICAL_FAILURE, "failure in greedy_cut()");
+  CHECK(SMC::greedy_cut(copy, is_cut, np).status.code == Status_code::NUMERICAL_FAILURE, "failure in greedy_cut()");
   std::vector<Surface_mesh::Vertex_index> points;
-  check(SMC::detect_feature_points(copy, std::back_inserter(points), np).status.code == Status_code::NUMERICAL_FAILURE,
+  CHECK(SMC::detect_feature_points(copy, std::back_inserter(points), np).status.code == Status_code::NUMERICAL_FAILURE,
         "failure in detect_feature_points()");
 }
 
@@ -157,17 +158,20 @@ void test_threads(const test::Soup& soup)
       Solver_record record;
       const Run run = unwrap_with(mesh, CGAL::Eigen_solver_traits<LLT>());
       const Run copied = unwrap_with(mesh, Recording_solver(record));
-      check(bool(run.result) && bool(copied.result), "parts");
+      CHECK(run.result && copied.result, "parts");
       std::vector<double> values = run.values;
       values.insert(values.end(), copied.values.begin(), copied.values.end());
       if(number == 1)
         expected = values;
-      check(values == expected, "the same for all numbers of threads");
+      CHECK(values == expected, "the same for all numbers of threads");
     });
 }
 
+} // namespace sparse_linear_solver_test
+
 int main()
 {
+  using namespace sparse_linear_solver_test;
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(star(16));
   test_solvers(mesh);
   test_failure(mesh);

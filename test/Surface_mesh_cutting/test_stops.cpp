@@ -1,7 +1,7 @@
 // Runs that a visitor stops at any of its calls, or the time limit: they return STOPPED, whatever else they found,
 // and leave the maps untouched or a valid result in them; cuts and maps of small surfaces always are a result.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "random_surfaces.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -22,8 +22,9 @@
 #include <string>
 #include <vector>
 
+namespace stops_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 using SMC::Status_code;
 using Mesh = test::Surface_mesh;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
@@ -52,20 +53,20 @@ void stop_everywhere(const std::string& name, const Call& call, int number_of_st
 {
   Stopping_visitor whole(0);
   const Status_code code = call(whole);
-  check(code == Status_code::OK || code == Status_code::BOUND_NOT_REACHED, name + ": the whole run");
+  CHECK(code == Status_code::OK || code == Status_code::BOUND_NOT_REACHED, name + ": the whole run");
   std::cout << name << ": " << whole.calls << " calls" << std::endl;
-  check(whole.is_monotone && (whole.done == 1 || whole.done == 0), name + ": progress " + std::to_string(whole.done));
+  CHECK(whole.is_monotone && (whole.done == 1 || whole.done == 0), name + ": progress " + std::to_string(whole.done));
   number_of_stops = (std::min)(number_of_stops, whole.calls);
-  check(number_of_stops > 0, name + ": the visitor is asked");
+  CHECK(number_of_stops > 0, name + ": the visitor is asked");
   for(int i = 0; i < number_of_stops; ++i)
   {
     const int stopping_call = 1 + int(long(i) * (whole.calls - 1) / (std::max)(1, number_of_stops - 1));
     const std::string where = name + ", stopped at call " + std::to_string(stopping_call);
     Stopping_visitor visitor(stopping_call);
     const Status_code stopped = call(visitor);
-    check(stopped == Status_code::STOPPED, where + ": status " + to_string(stopped));
-    check(visitor.calls == stopping_call, where + ": asked again");
-    check(visitor.is_monotone && visitor.done < 1.0001, where + ": progress");
+    CHECK(stopped == Status_code::STOPPED, where + ": status " + to_string(stopped));
+    CHECK(visitor.calls == stopping_call, where + ": asked again");
+    CHECK(visitor.is_monotone && visitor.done < 1.0001, where + ": progress");
   }
 }
 
@@ -130,7 +131,7 @@ void test_unwrap(const Setting& s)
     Task task(s.soup);
     task.set_weights(!s.has_weights);
     const auto result = SMC::unwrap(task.mesh, task.is_cut, task.uv, task.parameters(s, std::ref(visitor)));
-    check(result.has_result && task.is_cut_valid() && SMC::certify_unwrap(task.mesh, task.is_cut, task.uv,
+    CHECK(result.has_result && task.is_cut_valid() && SMC::certify_unwrap(task.mesh, task.is_cut, task.uv,
                                                                           CGAL::parameters::do_bijective(s.do_bijective)),
           "unwrap, " + s.name + ": maps");
     return result.status.code;
@@ -145,7 +146,7 @@ void test_greedy_cut(const Setting& s)
     Task task(s.soup);
     task.set_weights(!s.has_weights);
     const auto result = SMC::greedy_cut(task.mesh, task.is_cut, task.parameters(s, std::ref(visitor)));
-    check(result.has_result && task.is_cut_valid(), "greedy_cut, " + s.name + ": map");
+    CHECK(result.has_result && task.is_cut_valid(), "greedy_cut, " + s.name + ": map");
     return result.status.code;
   };
   stop_everywhere("greedy_cut, " + s.name, call, 6);
@@ -160,7 +161,7 @@ void test_detection(const Setting& s)
     std::vector<Mesh::Vertex_index> points;
     const auto result
       = SMC::detect_feature_points(task.mesh, std::back_inserter(points), task.parameters(s, std::ref(visitor)));
-    check(result.has_result ? points == result.feature_points : points.empty(),
+    CHECK(result.has_result ? points == result.feature_points : points.empty(),
           "detect_feature_points, " + s.name + ": points");
     return result.status.code;
   };
@@ -185,7 +186,7 @@ void test_connection(const Setting& s)
     task.set_weights(!s.has_weights);
     const auto result = SMC::connect_points(task.mesh, some_points(task.mesh, 9), task.is_cut,
                                             task.parameters(s, std::ref(visitor)));
-    check(task.is_cut_untouched() ? result.length == 0 : task.is_cut_valid(), "connect_points, " + s.name + ": map");
+    CHECK(task.is_cut_untouched() ? result.length == 0 : task.is_cut_valid(), "connect_points, " + s.name + ": map");
     return result.status.code;
   };
   stop_everywhere("connect_points, " + s.name, call, 10);
@@ -198,7 +199,7 @@ void test_handles(const Setting& s)
     Task task(s.soup);
     task.set_weights(!s.has_weights);
     const auto result = SMC::cut_handles(task.mesh, task.is_cut, task.parameters(s, std::ref(visitor)));
-    check(bool(result) || (task.is_cut_untouched() && result.loops.empty()), "cut_handles, " + s.name + ": map");
+    CHECK(result || (task.is_cut_untouched() && result.loops.empty()), "cut_handles, " + s.name + ": map");
     return result.status.code;
   };
   stop_everywhere("cut_handles, " + s.name, call, 10);
@@ -214,10 +215,10 @@ public:
 
   bool go_further()
   {
-    check(m_is_alive, "a visitor that lives");
+    CHECK(m_is_alive, "a visitor that lives");
     return m_is_alive && ++*m_calls != m_stopping_call;
   }
-  void progress(SMC::Phase, double) { check(m_is_alive, "a visitor that lives"); }
+  void progress(SMC::Phase, double) { CHECK(m_is_alive, "a visitor that lives"); }
   int calls() const { return *m_calls; }
 
 private:
@@ -246,12 +247,12 @@ void test_visitors()
   const test::Soup soup = test::torus(12, 6);
   const std::vector<Status_code> all_ok(5, Status_code::OK), all_stopped(5, Status_code::STOPPED);
   const Passed_visitor silent(0);
-  check(all_calls(soup, silent) == all_ok && silent.calls() > 0, "a visitor by value");
-  check(all_calls(soup, Passed_visitor(0)) == all_ok, "a temporary visitor");
+  CHECK(all_calls(soup, silent) == all_ok && silent.calls() > 0, "a visitor by value");
+  CHECK(all_calls(soup, Passed_visitor(0)) == all_ok, "a temporary visitor");
   Passed_visitor referred(0);
-  check(all_calls(soup, std::ref(referred)) == all_ok && referred.calls() == silent.calls(), "a visitor by reference");
+  CHECK(all_calls(soup, std::ref(referred)) == all_ok && referred.calls() == silent.calls(), "a visitor by reference");
   const Passed_visitor stopping(1);
-  check(all_calls(soup, stopping).front() == Status_code::STOPPED && stopping.calls() > 1,
+  CHECK(all_calls(soup, stopping).front() == Status_code::STOPPED && stopping.calls() > 1,
         "a visitor by value stops the run");
 }
 
@@ -261,11 +262,11 @@ void test_time_limit()
   constexpr double longest = 10; // in seconds of processor time, mostly for reading the mesh five times
   const std::clock_t start = std::clock();
   Passed_visitor visitor(0);
-  check(all_calls(test::torus(200, 100), std::ref(visitor), 1e-9)
+  CHECK(all_calls(test::torus(200, 100), std::ref(visitor), 1e-9)
           == std::vector<Status_code>(5, Status_code::STOPPED), "time limit");
   const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
   std::cout << "time limit: " << seconds << " s" << std::endl;
-  check(seconds < longest, "stopped at once");
+  CHECK(seconds < longest, "stopped at once");
 }
 
 // What the caller asks for holds for the cut of a run that is stopped at once, too: on one side of a surface no edge may be cut
@@ -290,19 +291,19 @@ void test_constraints(const std::string& name, const test::Soup& soup, double fo
   const auto result = SMC::unwrap(mesh, task.is_cut, task.uv, CGAL::parameters::visitor(std::ref(visitor))
                                   .edge_is_forbidden_map(is_forbidden).edge_is_constrained_map(is_mandatory)
                                   .vertex_is_constrained_map(is_terminal));
-  check(result.status.code == Status_code::STOPPED && result.has_result && task.is_cut_valid(),
+  CHECK(result.status.code == Status_code::STOPPED && result.has_result && task.is_cut_valid(),
         name + ": stopped, " + result.status.message);
-  check(bool(SMC::certify_unwrap(mesh, task.is_cut, task.uv, CGAL::parameters::do_bijective(true))), name + ": map");
+  CHECK(SMC::certify_unwrap(mesh, task.is_cut, task.uv, CGAL::parameters::do_bijective(true)), name + ": map");
   for(auto e : edges(mesh))
-    check(!(task.is_cut[e] && is_forbidden[e]) && (task.is_cut[e] || !is_mandatory[e]), name + ": edge");
-  check(std::any_of(edges(mesh).begin(), edges(mesh).end(), [&](auto e)
+    CHECK(!(task.is_cut[e] && is_forbidden[e]) && (task.is_cut[e] || !is_mandatory[e]), name + ": edge");
+  CHECK(std::any_of(edges(mesh).begin(), edges(mesh).end(), [&](auto e)
                     { return task.is_cut[e] && (source(e, mesh) == terminal || target(e, mesh) == terminal); }), name + ": terminal");
 }
 
 void test_names()
 {
-  check(to_string(Status_code::OK) == "ok" && to_string(Status_code::BOUND_NOT_REACHED) == "bound_not_reached", "statuses");
-  check(SMC::to_string(SMC::Phase::CANDIDATES) == "candidates" && SMC::to_string(SMC::Phase::PACK) == "pack", "phases");
+  CHECK(to_string(Status_code::OK) == "ok" && to_string(Status_code::BOUND_NOT_REACHED) == "bound_not_reached", "statuses");
+  CHECK(SMC::to_string(SMC::Phase::CANDIDATES) == "candidates" && SMC::to_string(SMC::Phase::PACK) == "pack", "phases");
 }
 
 // Summed in another order, the whole area may be less than itself.
@@ -313,12 +314,15 @@ void test_whole_area()
     Task task(test::bumpy_sphere(n));
     const auto result = SMC::greedy_cut(task.mesh, task.is_cut, CGAL::parameters::minimum_area_ratio(1.)
                                                                   .effort(SMC::Effort::FAST));
-    check(bool(result) && task.is_cut_valid(), "a second cut anywhere");
+    CHECK(result && task.is_cut_valid(), "a second cut anywhere");
   }
 }
 
+} // namespace stops_test
+
 int main()
 {
+  using namespace stops_test;
   const unsigned int seed = 3;
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);

@@ -1,6 +1,6 @@
 // Cuts whose maps without overlaps leave some room below a bound: of a path of which a half is too much, less is closed.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "star_shapes.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
@@ -18,12 +18,11 @@
 #include <memory>
 #include <vector>
 
-namespace {
+namespace trimmed_cuts_test {
 
 using namespace CGAL::Surface_mesh_cutting::internal;
 using CGAL::Surface_mesh_parameterization::internal::default_solvers;
 
-using test::check;
 
 // A surface, and the cut along a path on it.
 struct Cut_surface
@@ -51,7 +50,7 @@ struct Cut_surface
     Injective_cut result{make_cut(mesh, edges), {}, {}, {}};
     result.ends = ends_and_forks(mesh, result.cut);
     Incremental_parameterization map(mesh, problem.shapes, mapping_policy(parameters), control);
-    check(map.initialize(result.cut), "a map");
+    CHECK(map.initialize(result.cut), "a map");
     result.chart = map.chart();
     result.map.energy = final_map(problem, map.state(), context(), result.map.uv).energy;
     return result;
@@ -70,25 +69,26 @@ void test_trimming(CGAL::Random& random)
   const double bound = (surface.energy_without_either(half) + surface.energy_without_either(quarter)) / 2;
   Injective_cut trimmed = given;
   Injective_trimmer(surface.problem, surface.context()).trim(Objective(bound, 0), trimmed);
-  check(cut_length(surface.mesh, trimmed.cut) < cut_length(surface.mesh, given.cut), "nothing was closed");
-  check(trimmed.map.energy <= bound, "the bound");
+  CHECK(cut_length(surface.mesh, trimmed.cut) < cut_length(surface.mesh, given.cut), "nothing was closed");
+  CHECK(trimmed.map.energy <= bound, "the bound");
   for(int e = 0; e < surface.mesh.number_of_edges(); ++e)
-    check(given.cut[e] || !trimmed.cut[e], "an edge that was not cut");
+    CHECK(given.cut[e] || !trimmed.cut[e], "an edge that was not cut");
   std::vector<int> ends = trimmed.ends;
   std::sort(ends.begin(), ends.end());
-  check(ends == ends_and_forks(surface.mesh, trimmed.cut), "the ends");
-  check(CGAL::Surface_mesh_parameterization::internal::is_bijective(trimmed.chart, trimmed.map.uv), "overlaps");
+  CHECK(ends == ends_and_forks(surface.mesh, trimmed.cut), "the ends");
+  CHECK(CGAL::Surface_mesh_parameterization::internal::is_bijective(trimmed.chart, trimmed.map.uv), "overlaps");
 
   // At its own energy, nothing can go.
   Injective_cut kept = given;
   Injective_trimmer(surface.problem, surface.context()).trim(Objective(given.map.energy, 0), kept);
-  check(kept.cut == given.cut && kept.map.energy == given.map.energy, "closed above the bound");
+  CHECK(kept.cut == given.cut && kept.map.energy == given.map.energy, "closed above the bound");
 }
 
-} // namespace
+} // namespace trimmed_cuts_test
 
 int main()
 {
+  using namespace trimmed_cuts_test;
   CGAL::Random random(3);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(int i = 0; i < 8; ++i)

@@ -1,7 +1,7 @@
 // The whole method on closed surfaces of genus 0 as meshes of all types: valid results, proven by the
 // certificate, the same twice and for every thread count, and typed refusals.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -25,8 +25,9 @@
 #include <thread>
 #include <vector>
 
+namespace unwrap_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
-using test::check;
 using SMC::Status_code;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
 
@@ -64,14 +65,14 @@ void test_valid(Mesh mesh, const char* name)
   Maps<Mesh> maps(mesh), again(mesh);
   const SMC::Unwrap_result<Mesh> result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
   std::cout << name << ": " << result.number_of_features << " features, E " << result.average_distortion << std::endl;
-  check(bool(result), result.status.message.c_str());
-  check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate");
-  check(SMC::is_cut_to_disks(mesh, maps.is_cut), "disks");
-  check(result.genus == 0 && result.components == 1 && result.borders == 0, "topology");
-  check(result.number_of_features == int(result.feature_points.size()), "feature points");
-  check(std::abs(result.cut_length - SMC::cut_length(mesh, maps.is_cut)) <= 1e-12 * result.cut_length, "length");
-  check(result.average_distortion >= 4 && result.average_distortion <= 4.5 && result.largest_face_distortion >= result.average_distortion, "energy");
-  check(result.lower_bound && *result.lower_bound <= result.cut_length * (1 + 1e-12), "lower bound");
+  CHECK(result, result.status.message.c_str());
+  CHECK(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv), "certificate");
+  CHECK(SMC::is_cut_to_disks(mesh, maps.is_cut), "disks");
+  CHECK(result.genus == 0 && result.components == 1 && result.borders == 0, "topology");
+  CHECK(result.number_of_features == int(result.feature_points.size()), "feature points");
+  CHECK(std::abs(result.cut_length - SMC::cut_length(mesh, maps.is_cut)) <= 1e-12 * result.cut_length, "length");
+  CHECK(result.average_distortion >= 4 && result.average_distortion <= 4.5 && result.largest_face_distortion >= result.average_distortion, "energy");
+  CHECK(result.lower_bound && *result.lower_bound <= result.cut_length * (1 + 1e-12), "lower bound");
 
   // The cut is a tree through the feature points whose leaves are feature points.
   std::map<std::size_t, int> degrees;
@@ -87,19 +88,19 @@ void test_valid(Mesh mesh, const char* name)
       ++degrees[get(index, source(e, mesh))];
       ++degrees[get(index, target(e, mesh))];
     }
-  check(number_of_edges + 1 == degrees.size(), "a connected cut without cycle");
+  CHECK(number_of_edges + 1 == degrees.size(), "a connected cut without cycle");
   std::map<std::size_t, bool> is_feature;
   for(auto v : result.feature_points)
   {
     is_feature[get(index, v)] = true;
-    check(degrees.count(get(index, v)) == 1, "a feature point on the cut");
+    CHECK(degrees.count(get(index, v)) == 1, "a feature point on the cut");
   }
   for(const auto& [v, degree] : degrees)
-    check(degree > 1 || is_feature[v], "no dangling edge");
+    CHECK(degree > 1 || is_feature[v], "no dangling edge");
 
   const SMC::Unwrap_result<Mesh> parallel
     = SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv);
-  check(bool(parallel) && maps.values(mesh) == again.values(mesh), "the same with several threads");
+  CHECK(parallel && maps.values(mesh) == again.values(mesh), "the same with several threads");
 }
 
 // Notices when two threads are in it.
@@ -135,24 +136,24 @@ void test_topologies()
     test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(c.soup);
     Maps<test::Surface_mesh> maps(mesh);
     const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
-    check(bool(result), result.status.message.c_str());
-    check(result.components == c.components && result.genus == c.genus && result.borders == c.borders, "topology");
-    check(bool(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv)), "certificate of any topology");
-    check(result.average_distortion < 4.5, "energy of any topology");
+    CHECK(result, result.status.message.c_str());
+    CHECK(result.components == c.components && result.genus == c.genus && result.borders == c.borders, "topology");
+    CHECK(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv), "certificate of any topology");
+    CHECK(result.average_distortion < 4.5, "energy of any topology");
     Maps<test::Surface_mesh> again(mesh);
     Exclusive_visitor visitor;
-    check(bool(SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv,
-                                                            CGAL::parameters::visitor(std::ref(visitor)))) &&
+    CHECK(SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv,
+                                                            CGAL::parameters::visitor(std::ref(visitor))) &&
             maps.values(mesh) == again.values(mesh), "the same with components in parallel");
-    check(!visitor.is_shared, "one thread at a time calls the visitor");
+    CHECK(!visitor.is_shared, "one thread at a time calls the visitor");
     for(auto e : edges(mesh))
-      check(!is_border(e, mesh) || !get(maps.is_cut, e), "a border edge is not cut");
+      CHECK(!is_border(e, mesh) || !get(maps.is_cut, e), "a border edge is not cut");
   }
   // A surface that lies flat already is not cut at all.
   test::Surface_mesh patch = test::make_mesh<test::Surface_mesh>(test::patch(1, 1));
   Maps<test::Surface_mesh> maps(patch);
   const auto result = SMC::unwrap(patch, maps.is_cut, maps.uv);
-  check(bool(result) && result.cut_length == 0 && result.average_distortion < 4 + 1e-9, "a flat patch stays whole");
+  CHECK(result && result.cut_length == 0 && result.average_distortion < 4 + 1e-9, "a flat patch stays whole");
 }
 
 // A sphere with long arms, whose chart overlaps itself; and does not if that is asked for.
@@ -169,21 +170,21 @@ void test_bijective()
   const auto quick = CGAL::parameters::connection(SMC::Connection::METRIC_CLOSURE);
   const auto bijective = quick.do_bijective(true);
   const auto plain = SMC::unwrap(mesh, maps.is_cut, maps.uv, quick);
-  check(bool(plain) && !plain.overlaps, "overlaps are not counted unless asked for");
-  check(!SMC::certify_unwrap(mesh, maps.is_cut, maps.uv, bijective), "a surface that overlaps itself");
+  CHECK(plain && !plain.overlaps, "overlaps are not counted unless asked for");
+  CHECK(!SMC::certify_unwrap(mesh, maps.is_cut, maps.uv, bijective), "a surface that overlaps itself");
   const auto result = SMC::unwrap(mesh, flat.is_cut, flat.uv, bijective);
-  check(bool(result) && result.overlaps && *result.overlaps == 0, "a bijective map");
-  check(bool(SMC::certify_unwrap(mesh, flat.is_cut, flat.uv, bijective)), "certificate of a bijective map");
+  CHECK(result && result.overlaps && *result.overlaps == 0, "a bijective map");
+  CHECK(SMC::certify_unwrap(mesh, flat.is_cut, flat.uv, bijective), "certificate of a bijective map");
   // The same cut, or another one where parts are in each other's way.
   bool is_same_cut = true;
   for(auto e : edges(mesh))
     is_same_cut = is_same_cut && get(maps.is_cut, e) == get(flat.is_cut, e);
-  check(!is_same_cut || result.average_distortion >= plain.average_distortion, "energy of a bijective map of the same cut");
-  check(result.cut_length < 1.1 * plain.cut_length, "the cut of a bijective map");
-  check(result.average_distortion < plain.average_distortion + 0.1, "energy of a bijective map");
+  CHECK(!is_same_cut || result.average_distortion >= plain.average_distortion, "energy of a bijective map of the same cut");
+  CHECK(result.cut_length < 1.1 * plain.cut_length, "the cut of a bijective map");
+  CHECK(result.average_distortion < plain.average_distortion + 0.1, "energy of a bijective map");
   Maps<test::Surface_mesh> again(mesh);
   SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, again.is_cut, again.uv, bijective);
-  check(flat.values(mesh) == again.values(mesh), "the same bijective map with several threads");
+  CHECK(flat.values(mesh) == again.values(mesh), "the same bijective map with several threads");
 
   // Several charts, beside each other.
   test::Soup several = test::bumpy_sphere(6);
@@ -191,8 +192,8 @@ void test_bijective()
   several.add(test::tube(8, 4));
   test::Surface_mesh charts = test::make_mesh<test::Surface_mesh>(several);
   Maps<test::Surface_mesh> laid_out(charts);
-  check(bool(SMC::unwrap(charts, laid_out.is_cut, laid_out.uv, bijective)), "bijective map of several components");
-  check(bool(SMC::certify_unwrap(charts, laid_out.is_cut, laid_out.uv, bijective)), "certificate of several charts");
+  CHECK(SMC::unwrap(charts, laid_out.is_cut, laid_out.uv, bijective), "bijective map of several components");
+  CHECK(SMC::certify_unwrap(charts, laid_out.is_cut, laid_out.uv, bijective), "certificate of several charts");
 }
 
 void test_scales()
@@ -205,10 +206,10 @@ void test_scales()
     test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(soup);
     Maps<test::Surface_mesh> maps(mesh);
     const auto result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
-    check(bool(result), "extreme scale");
+    CHECK(result, "extreme scale");
     energies.push_back(result.average_distortion);
   }
-  check(energies[0] == energies[1] && energies[0] == energies[2], "energy does not depend on the scale");
+  CHECK(energies[0] == energies[1] && energies[0] == energies[2], "energy does not depend on the scale");
 }
 
 // On a squashed mesh, all of whose faces are needles, a tree that connects the features in another way than the
@@ -216,7 +217,7 @@ void test_scales()
 void test_squashed()
 {
   test::Surface_mesh mesh;
-  check(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/pipe.off"), mesh), "pipe.off is there");
+  CHECK(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/pipe.off"), mesh), "pipe.off is there");
   for(auto v : vertices(mesh))
     mesh.point(v) = {1e-8 * mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
   Maps<test::Surface_mesh> maps(mesh);
@@ -224,7 +225,7 @@ void test_squashed()
   double lowest = std::numeric_limits<double>::infinity();
   for(const SMC::Trade_off& t : result.trade_offs)
     lowest = (std::min)(lowest, t.average_distortion);
-  check(result && result.average_distortion < 2.01 * lowest, "connecting keeps what filtering gained");
+  CHECK(result && result.average_distortion < 2.01 * lowest, "connecting keeps what filtering gained");
 }
 
 void test_methods()
@@ -237,23 +238,23 @@ void test_methods()
   {
     const auto result = SMC::greedy_cut(mesh, maps.is_cut,
                                         CGAL::parameters::connection(connection).effort(SMC::Effort::FAST));
-    check(bool(result) && SMC::is_cut_to_disks(mesh, maps.is_cut), "connection");
+    CHECK(result && SMC::is_cut_to_disks(mesh, maps.is_cut), "connection");
     shortest = (std::min)(shortest, result.cut_length);
     if(connection == SMC::Connection::EXACT)
     {
       exact = result.cut_length;
-      check(result.is_optimal && *result.is_optimal, "proof");
+      CHECK(result.is_optimal && *result.is_optimal, "proof");
     }
   }
-  check(exact <= shortest * (1 + 1e-12), "the exact tree is the shortest");
-  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::connection(SMC::Connection::EXACT))),
+  CHECK(exact <= shortest * (1 + 1e-12), "the exact tree is the shortest");
+  CHECK(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::connection(SMC::Connection::EXACT)),
         "refinement leaves the shortest tree, whose proof is complete");
-  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::use_published_method(true))), "faithful");
-  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::effort(SMC::Effort::BEST))), "best");
+  CHECK(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::use_published_method(true)), "faithful");
+  CHECK(SMC::unwrap(mesh, maps.is_cut, maps.uv, CGAL::parameters::effort(SMC::Effort::BEST)), "best");
 
   std::vector<test::Surface_mesh::Vertex_index> points;
   const auto detected = SMC::detect_feature_points(mesh, std::back_inserter(points));
-  check(bool(detected) && detected.number_of_features == int(points.size()) && points.size() >= 2, "detection");
+  CHECK(detected && detected.number_of_features == int(points.size()) && points.size() >= 2, "detection");
 }
 
 struct Stopping_visitor : public SMC::Default_visitor
@@ -275,30 +276,33 @@ void test_refusals()
     const auto result = SMC::greedy_cut(mesh, maps.is_cut, np);
     if(!result.has_result)
       for(auto e : edges(mesh))
-        check(get(maps.is_cut, e), "nothing written on refusal");
+        CHECK(get(maps.is_cut, e), "nothing written on refusal");
     return result.status.code;
   };
   const auto none = CGAL::parameters::default_values();
-  check(code_of(test::Soup(), none) == Status_code::EMPTY_MESH, "empty");
-  check(code_of(test::sphere(8, 3), CGAL::parameters::minimum_area_ratio(2.)) == Status_code::WRONG_PARAMETER, "alpha");
-  check(code_of(test::sphere(8, 3), CGAL::parameters::minimum_distortion_decrease(std::nan(""))) ==
+  CHECK(code_of(test::Soup(), none) == Status_code::EMPTY_MESH, "empty");
+  CHECK(code_of(test::sphere(8, 3), CGAL::parameters::minimum_area_ratio(2.)) == Status_code::WRONG_PARAMETER, "alpha");
+  CHECK(code_of(test::sphere(8, 3), CGAL::parameters::minimum_distortion_decrease(std::nan(""))) ==
           Status_code::WRONG_PARAMETER, "epsilon");
   test::Soup invalid = test::sphere(8, 3);
   invalid.points[3][1] = std::numeric_limits<double>::infinity();
-  check(code_of(invalid, none) == Status_code::INVALID_POINT, "infinite coordinate");
+  CHECK(code_of(invalid, none) == Status_code::INVALID_POINT, "infinite coordinate");
   for(int calls : {1, 2, 5, 20})
   {
     Stopping_visitor visitor(calls);
-    check(code_of(test::bumpy_sphere(10), CGAL::parameters::visitor(std::ref(visitor))) == Status_code::STOPPED,
+    CHECK(code_of(test::bumpy_sphere(10), CGAL::parameters::visitor(std::ref(visitor))) == Status_code::STOPPED,
           "visitor");
   }
   for(double seconds : {1e-9, -1., std::numeric_limits<double>::quiet_NaN()})
-    check(code_of(test::bumpy_sphere(10), CGAL::parameters::maximum_running_time(seconds)) == Status_code::STOPPED,
+    CHECK(code_of(test::bumpy_sphere(10), CGAL::parameters::maximum_running_time(seconds)) == Status_code::STOPPED,
           "time limit");
 }
 
+} // namespace unwrap_test
+
 int main()
 {
+  using namespace unwrap_test;
   const test::Soup soup = test::bumpy_sphere(12);
   test_valid(test::make_mesh<test::Surface_mesh>(soup), "Surface_mesh");
   test_valid(test::make_mesh_with_garbage(soup), "Surface_mesh with removed elements");
@@ -310,7 +314,7 @@ int main()
   tetrahedron.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
   test::Surface_mesh mesh = test::make_mesh<test::Surface_mesh>(tetrahedron);
   Maps<test::Surface_mesh> maps(mesh);
-  check(bool(SMC::unwrap(mesh, maps.is_cut, maps.uv)), "the smallest closed surface");
+  CHECK(SMC::unwrap(mesh, maps.is_cut, maps.uv), "the smallest closed surface");
 
   test_topologies();
   test_bijective();

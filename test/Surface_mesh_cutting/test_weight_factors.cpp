@@ -1,11 +1,11 @@
 // Variants and products of the ready-made weights on surfaces where they are known.
 
-#undef NDEBUG
 #include <CGAL/Surface_mesh_cutting/crease_weights.h>
 #include <CGAL/Surface_mesh_cutting/painted_weights.h>
 #include <CGAL/Surface_mesh_cutting/straightness_weights.h>
 #include <CGAL/Surface_mesh_cutting/visibility_weights.h>
 
+#include "../BGL/check.h"
 #include "test_meshes.h"
 
 #include <CGAL/number_type_config.h>
@@ -14,11 +14,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <vector>
+
+namespace weight_factors_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 namespace parameters = CGAL::parameters;
@@ -59,19 +60,19 @@ void test_concave_creases()
       soup.points[i][k] = l[i / (n + 1)][k];
   Mesh mesh = test::make_mesh<Mesh>(soup);
   const Weights plain = make_weights(mesh), concave = make_weights(mesh);
-  assert(SMC::crease_weights(mesh, plain, 0.25));
-  assert(SMC::crease_weights(mesh, concave, 0.25, parameters::smallest_convex_factor(0.75)));
+  CHECK(SMC::crease_weights(mesh, plain, 0.25));
+  CHECK(SMC::crease_weights(mesh, concave, 0.25, parameters::smallest_convex_factor(0.75)));
   int number_of_concave = 0, number_of_convex = 0;
   for(const Edge e : mesh.edges())
   {
     const bool is_crease = column(mesh.vertex(e, 0), n) == column(mesh.vertex(e, 1), n);
     const bool is_concave = is_crease && column(mesh.vertex(e, 0), n) == concave_column;
-    assert(are_close(factor(mesh, plain, e), is_crease ? 0.25 : 1));
-    assert(are_close(factor(mesh, concave, e), is_concave ? 0.25 : is_crease ? 0.75 : 1));
+    CHECK(are_close(factor(mesh, plain, e), is_crease ? 0.25 : 1));
+    CHECK(are_close(factor(mesh, concave, e), is_concave ? 0.25 : is_crease ? 0.75 : 1));
     number_of_concave += is_concave;
     number_of_convex += is_crease && !is_concave;
   }
-  assert(number_of_concave == n && number_of_convex == 5 * n);
+  CHECK(number_of_concave == n && number_of_convex == 5 * n);
 }
 
 Soup round_sphere()
@@ -93,23 +94,23 @@ void test_sky()
   const Weights cosine = make_weights(mesh), uniform = make_weights(mesh);
   for(const Kernel::Vector_3& up : {Kernel::Vector_3(0, 0, 1), Kernel::Vector_3(-3e8, 1e8, 2e8)})
   {
-    assert(SMC::visibility_weights(mesh, cosine, 400, 0., parameters::up_direction(up)));
-    assert(SMC::visibility_weights(mesh, uniform, 400, 0., parameters::up_direction(up).use_uniform_directions(true)));
+    CHECK(SMC::visibility_weights(mesh, cosine, 400, 0., parameters::up_direction(up)));
+    CHECK(SMC::visibility_weights(mesh, uniform, 400, 0., parameters::up_direction(up).use_uniform_directions(true)));
     for(const Edge e : mesh.edges())
     {
       const Kernel::Vector_3 normal = CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) - CGAL::ORIGIN;
       const double c = normal * up / std::sqrt(normal.squared_length() * up.squared_length());
-      assert(are_close(factor(mesh, cosine, e), (1 + c) / 2, 0.08));
-      assert(are_close(factor(mesh, uniform, e), 1 - std::acos(c) / CGAL_PI, 0.08));
-      assert(c > -0.99 || factor(mesh, cosine, e) < 0.03); // the underside
+      CHECK(are_close(factor(mesh, cosine, e), (1 + c) / 2, 0.08));
+      CHECK(are_close(factor(mesh, uniform, e), 1 - std::acos(c) / CGAL_PI, 0.08));
+      CHECK(c > -0.99 || factor(mesh, cosine, e) < 0.03); // the underside
     }
   }
 #ifdef CGAL_LINKED_WITH_TBB
   const Weights parallel = make_weights(mesh);
-  assert(SMC::visibility_weights<CGAL::Parallel_tag>(
+  CHECK(SMC::visibility_weights<CGAL::Parallel_tag>(
     mesh, parallel, 400, 0., parameters::up_direction(Kernel::Vector_3(-3e8, 1e8, 2e8))));
   for(const Edge e : mesh.edges())
-    assert(parallel[e] == cosine[e]);
+    CHECK(parallel[e] == cosine[e]);
 #endif
 }
 
@@ -137,26 +138,26 @@ void test_occlusion()
   const int n = 5;
   Mesh mesh = test::make_mesh<Mesh>(cup());
   const Weights far = make_weights(mesh), near = make_weights(mesh);
-  assert(SMC::visibility_weights(mesh, far, 400, 0.));
-  assert(SMC::visibility_weights(mesh, near, 400, 0., parameters::occlusion_radius(0.02)));
+  CHECK(SMC::visibility_weights(mesh, far, 400, 0.));
+  CHECK(SMC::visibility_weights(mesh, near, 400, 0., parameters::occlusion_radius(0.02)));
   int edges_of_rings = 0;
   for(const Edge e : mesh.edges())
   {
     const int ring = row(mesh.vertex(e, 0), n);
     const bool is_on_ring = (std::max)(int(mesh.vertex(e, 0)), int(mesh.vertex(e, 1))) < 48 * (n + 1)
                             && ring == row(mesh.vertex(e, 1), n);
-    assert(near[e] >= far[e]);
+    CHECK(near[e] >= far[e]);
     if(!is_on_ring)
       continue;
     ++edges_of_rings;
     if(ring <= 2)
-      assert(are_close(factor(mesh, far, e), 1));
+      CHECK(are_close(factor(mesh, far, e), 1));
     if(ring == 4)
-      assert(factor(mesh, far, e) < 0.6 && factor(mesh, near, e) > 0.95);
+      CHECK(factor(mesh, far, e) < 0.6 && factor(mesh, near, e) > 0.95);
     if(ring == 5)
-      assert(are_close(factor(mesh, near, e), std::cos(CGAL_PI / 4), 0.05));
+      CHECK(are_close(factor(mesh, near, e), std::cos(CGAL_PI / 4), 0.05));
   }
-  assert(edges_of_rings == 48 * (n + 1));
+  CHECK(edges_of_rings == 48 * (n + 1));
 }
 
 // On a cylinder, edges along and around are cheap; others have the squared cosine of twice their angle.
@@ -170,7 +171,7 @@ void test_straightness(double stretch, double scale)
   soup.scale(scale);
   Mesh mesh = test::make_mesh<Mesh>(soup);
   const Weights weights = make_weights(mesh);
-  assert(SMC::straightness_weights(mesh, weights, 0.2));
+  CHECK(SMC::straightness_weights(mesh, weights, 0.2));
   const double bent = 1 / (1 + 1 / (8 + n * height * n * height)); // curvature 1, and the squared diagonal
   const double cosine = (1 - stretch * stretch) / (1 + stretch * stretch);
   int straight = 0, oblique = 0;
@@ -181,10 +182,10 @@ void test_straightness(double stretch, double scale)
       continue;
     const bool is_along = column(s, n) == column(t, n), is_straight = is_along || row(s, n) == row(t, n);
     const double length = is_along ? height : is_straight ? side : std::hypot(height, side);
-    assert(are_close(weights[e] / (scale * length), 1 - 0.8 * bent * (is_straight ? 1 : cosine * cosine), 1e-3));
+    CHECK(are_close(weights[e] / (scale * length), 1 - 0.8 * bent * (is_straight ? 1 : cosine * cosine), 1e-3));
     ++(is_straight ? straight : oblique);
   }
-  assert(straight > oblique && oblique > 0);
+  CHECK(straight > oblique && oblique > 0);
 }
 
 // Where no direction is better than the others, nothing is favored.
@@ -195,12 +196,12 @@ void test_without_directions()
     p[2] = 0;
   Mesh plane = test::make_mesh<Mesh>(flat), sphere = test::make_mesh<Mesh>(round_sphere());
   const Weights on_plane = make_weights(plane), on_sphere = make_weights(sphere);
-  assert(SMC::straightness_weights(plane, on_plane, 0.2));
-  assert(SMC::straightness_weights(sphere, on_sphere, 0.2));
+  CHECK(SMC::straightness_weights(plane, on_plane, 0.2));
+  CHECK(SMC::straightness_weights(sphere, on_sphere, 0.2));
   for(const Edge e : plane.edges())
-    assert(are_close(factor(plane, on_plane, e), 1));
+    CHECK(are_close(factor(plane, on_plane, e), 1));
   for(const Edge e : sphere.edges())
-    assert(std::abs(sphere.point(sphere.vertex(e, 0)).z()) > 0.5 || factor(sphere, on_sphere, e) > 0.9);
+    CHECK(std::abs(sphere.point(sphere.vertex(e, 0)).z()) > 0.5 || factor(sphere, on_sphere, e) > 0.9);
 }
 
 Paint make_paint(Mesh& mesh)
@@ -216,22 +217,22 @@ void test_paint()
   Mesh mesh = test::make_mesh<Mesh>(test::tube(8, 5));
   const Weights weights = make_weights(mesh);
   const Paint paint = make_paint(mesh);
-  assert(SMC::painted_weights(mesh, weights, paint));
+  CHECK(SMC::painted_weights(mesh, weights, paint));
   for(const Edge e : mesh.edges())
-    assert(are_close(factor(mesh, weights, e),
-                     mesh.is_border(e) ? 1 : (paint[mesh.vertex(e, 0)] + paint[mesh.vertex(e, 1)]) / 2));
-  assert(SMC::painted_weights(mesh, weights, CGAL::Constant_property_map<Vertex, double>(3)));
+    CHECK(are_close(factor(mesh, weights, e),
+                    mesh.is_border(e) ? 1 : (paint[mesh.vertex(e, 0)] + paint[mesh.vertex(e, 1)]) / 2));
+  CHECK(SMC::painted_weights(mesh, weights, CGAL::Constant_property_map<Vertex, double>(3)));
   for(const Edge e : mesh.edges())
-    assert(are_close(factor(mesh, weights, e), mesh.is_border(e) ? 1 : 3));
+    CHECK(are_close(factor(mesh, weights, e), mesh.is_border(e) ? 1 : 3));
 
   for(const double bad : {-1., not_a_number, infinity})
   {
     const Weights untouched = make_weights(mesh);
     paint[Vertex(11)] = bad;
     const SMC::Status<Mesh> status = SMC::painted_weights(mesh, untouched, paint);
-    assert(status.code == Status_code::WRONG_PARAMETER && status.vertices == std::vector<Vertex>(1, Vertex(11)));
+    CHECK(status.code == Status_code::WRONG_PARAMETER && status.vertices == std::vector<Vertex>(1, Vertex(11)));
     for(const Edge e : mesh.edges())
-      assert(untouched[e] == -1);
+      CHECK(untouched[e] == -1);
   }
 }
 
@@ -242,24 +243,24 @@ void test_products()
   const Weights crease = make_weights(mesh), painted = make_weights(mesh), visible = make_weights(mesh),
                 straight = make_weights(mesh), product = make_weights(mesh), other = make_weights(mesh);
   const Paint paint = make_paint(mesh);
-  assert(SMC::crease_weights(mesh, crease, 0.3));
-  assert(SMC::painted_weights(mesh, painted, paint));
-  assert(SMC::visibility_weights(mesh, visible, 16, 0.4));
-  assert(SMC::straightness_weights(mesh, straight, 0.5));
+  CHECK(SMC::crease_weights(mesh, crease, 0.3));
+  CHECK(SMC::painted_weights(mesh, painted, paint));
+  CHECK(SMC::visibility_weights(mesh, visible, 16, 0.4));
+  CHECK(SMC::straightness_weights(mesh, straight, 0.5));
 
-  assert(SMC::crease_weights(mesh, product, 0.3));
-  assert(SMC::visibility_weights(mesh, product, 16, 0.4, parameters::edge_weight_map(product)));
-  assert(SMC::painted_weights(mesh, product, paint, parameters::edge_weight_map(product)));
-  assert(SMC::straightness_weights(mesh, product, 0.5, parameters::edge_weight_map(product)));
-  assert(SMC::painted_weights(mesh, other, paint));
-  assert(SMC::straightness_weights(mesh, other, 0.5, parameters::edge_weight_map(other)));
-  assert(SMC::crease_weights(mesh, other, 0.3, parameters::edge_weight_map(other)));
-  assert(SMC::visibility_weights(mesh, other, 16, 0.4, parameters::edge_weight_map(other)));
+  CHECK(SMC::crease_weights(mesh, product, 0.3));
+  CHECK(SMC::visibility_weights(mesh, product, 16, 0.4, parameters::edge_weight_map(product)));
+  CHECK(SMC::painted_weights(mesh, product, paint, parameters::edge_weight_map(product)));
+  CHECK(SMC::straightness_weights(mesh, product, 0.5, parameters::edge_weight_map(product)));
+  CHECK(SMC::painted_weights(mesh, other, paint));
+  CHECK(SMC::straightness_weights(mesh, other, 0.5, parameters::edge_weight_map(other)));
+  CHECK(SMC::crease_weights(mesh, other, 0.3, parameters::edge_weight_map(other)));
+  CHECK(SMC::visibility_weights(mesh, other, 16, 0.4, parameters::edge_weight_map(other)));
   for(const Edge e : mesh.edges())
   {
     const double l = length(mesh, e);
-    assert(are_close(product[e], l * (crease[e] / l) * (painted[e] / l) * (visible[e] / l) * (straight[e] / l)));
-    assert(are_close(product[e], other[e]));
+    CHECK(are_close(product[e], l * (crease[e] / l) * (painted[e] / l) * (visible[e] / l) * (straight[e] / l)));
+    CHECK(are_close(product[e], other[e]));
   }
 }
 
@@ -272,10 +273,10 @@ void test_extreme_products()
   {
     for(const Edge e : mesh.edges())
       weights[e] = int(e) % 2 == 0 ? infinity : 1e307;
-    assert(SMC::painted_weights(mesh, weights, CGAL::Constant_property_map<Vertex, double>(value),
-                                parameters::edge_weight_map(weights)));
+    CHECK(SMC::painted_weights(mesh, weights, CGAL::Constant_property_map<Vertex, double>(value),
+                               parameters::edge_weight_map(weights)));
     for(const Edge e : mesh.edges())
-      assert(std::isinf(weights[e]) == (int(e) % 2 == 0) && (weights[e] > 0 || value == 0));
+      CHECK(std::isinf(weights[e]) == (int(e) % 2 == 0) && (weights[e] > 0 || value == 0));
   }
 }
 
@@ -287,19 +288,19 @@ void test_refused()
   const auto look = [&](const auto& np) { return code(SMC::visibility_weights(mesh, weights, 4, 0.2, np)); };
   for(const double value : {-0.1, 1.1, not_a_number})
   {
-    assert(code(SMC::crease_weights(mesh, weights, 0.2, parameters::smallest_convex_factor(value)))
-           == Status_code::WRONG_PARAMETER);
-    assert(code(SMC::straightness_weights(mesh, weights, value)) == Status_code::WRONG_PARAMETER);
+    CHECK(code(SMC::crease_weights(mesh, weights, 0.2, parameters::smallest_convex_factor(value)))
+          == Status_code::WRONG_PARAMETER);
+    CHECK(code(SMC::straightness_weights(mesh, weights, value)) == Status_code::WRONG_PARAMETER);
   }
   for(const double value : {0., not_a_number, infinity})
-    assert(look(parameters::up_direction(Kernel::Vector_3(0, value, 0))) == Status_code::WRONG_PARAMETER);
+    CHECK(look(parameters::up_direction(Kernel::Vector_3(0, value, 0))) == Status_code::WRONG_PARAMETER);
   for(const double value : {0., -1., not_a_number})
-    assert(look(parameters::occlusion_radius(value)) == Status_code::WRONG_PARAMETER);
+    CHECK(look(parameters::occlusion_radius(value)) == Status_code::WRONG_PARAMETER);
   for(const Edge e : mesh.edges())
-    assert(weights[e] == -1);
-  assert(look(parameters::up_direction(Kernel::Vector_3(0, 1e-300, 0)).occlusion_radius(infinity)) == Status_code::OK);
-  assert(code(SMC::straightness_weights(empty, make_weights(empty))) == Status_code::EMPTY_MESH);
-  assert(code(SMC::painted_weights(empty, make_weights(empty), make_paint(empty))) == Status_code::EMPTY_MESH);
+    CHECK(weights[e] == -1);
+  CHECK(look(parameters::up_direction(Kernel::Vector_3(0, 1e-300, 0)).occlusion_radius(infinity)) == Status_code::OK);
+  CHECK(code(SMC::straightness_weights(empty, make_weights(empty))) == Status_code::EMPTY_MESH);
+  CHECK(code(SMC::painted_weights(empty, make_weights(empty), make_paint(empty))) == Status_code::EMPTY_MESH);
 }
 
 // Numbers and vectors of an exact kernel.
@@ -307,15 +308,18 @@ void test_exact_kernel()
 {
   const test::Polyhedron mesh = test::make_mesh<test::Polyhedron>(test::sphere(6, 3));
   const auto weights = get(CGAL::dynamic_edge_property_t<double>(), mesh);
-  assert(SMC::straightness_weights(mesh, weights));
-  assert(SMC::visibility_weights(mesh, weights, 4, 0.2,
-                                 parameters::up_direction(test::Exact_kernel::Vector_3(0, 0, 1)).edge_weight_map(weights)));
+  CHECK(SMC::straightness_weights(mesh, weights));
+  CHECK(SMC::visibility_weights(mesh, weights, 4, 0.2,
+                                parameters::up_direction(test::Exact_kernel::Vector_3(0, 0, 1)).edge_weight_map(weights)));
   for(auto e : edges(mesh))
-    assert(get(weights, e) > 0);
+    CHECK(get(weights, e) > 0);
 }
+
+} // namespace weight_factors_test
 
 int main()
 {
+  using namespace weight_factors_test;
   test_concave_creases();
   test_sky();
   test_occlusion();
@@ -329,5 +333,5 @@ int main()
   test_extreme_products();
   test_refused();
   test_exact_kernel();
-  std::cout << "done\n";
+  return test::exit_status();
 }

@@ -1,7 +1,7 @@
 // What the cut costs is what the whole method minimizes: on surfaces with an expensive side, at full resolution
 // and with a coarser version. Costs are summed up from the cut itself.
 
-#include "checks.h"
+#include "../BGL/check.h"
 #include "surface_meshes.h"
 
 #include <CGAL/Surface_mesh_cutting/certify_unwrap.h>
@@ -13,9 +13,10 @@
 #include <limits>
 #include <string>
 
+namespace weighted_cuts_test {
+
 namespace SMC = CGAL::Surface_mesh_cutting;
 namespace PMP = CGAL::Polygon_mesh_processing;
-using test::check;
 using Mesh = test::Surface_mesh;
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
 
@@ -57,7 +58,7 @@ struct Surface
   auto unwrap(const NamedParameters& np, const std::string& what)
   {
     const auto result = SMC::unwrap(mesh, is_cut, uv, np);
-    check(bool(result) && bool(SMC::certify_unwrap(mesh, is_cut, uv)), what);
+    CHECK(result && SMC::certify_unwrap(mesh, is_cut, uv), what);
     return result;
   }
 
@@ -65,9 +66,9 @@ struct Surface
   {
     const std::string what = "weighted, " + std::to_string(coarse_number_of_faces) + " coarse faces";
     const auto result = unwrap(CGAL::parameters::edge_weight_map(weight).coarse_number_of_faces(coarse_number_of_faces), what);
-    check(std::abs(result.cut_cost - cost()) <= 1e-9 * cost(), "cost of the cut: " + what);
+    CHECK(std::abs(result.cut_cost - cost()) <= 1e-9 * cost(), "cost of the cut: " + what);
     for(const SMC::Trade_off& t : result.trade_offs)
-      check(t.cut_cost >= result.cut_cost * (1 - 1e-9) || t.average_distortion >= result.average_distortion - 0.05,
+      CHECK(t.cut_cost >= result.cut_cost * (1 - 1e-9) || t.average_distortion >= result.average_distortion - 0.05,
             "no trade-off is far better than the result: " + what);
     return result;
   }
@@ -82,10 +83,10 @@ void test_expensive_side(int coarse_number_of_faces)
   Surface plain(expensive_in_front), weighted(expensive_in_front);
   const auto by_length
     = plain.unwrap(CGAL::parameters::coarse_number_of_faces(coarse_number_of_faces), "by length");
-  check(by_length.cut_cost == by_length.cut_length, "without weights, cost is length");
+  CHECK(by_length.cut_cost == by_length.cut_length, "without weights, cost is length");
   const auto by_cost = weighted.unwrap_by_cost(coarse_number_of_faces);
-  check(by_cost.cut_cost < 0.65 * plain.cost(), "the cut avoids what is expensive");
-  check(by_cost.average_distortion < by_length.average_distortion + 0.05, "about the same distortion");
+  CHECK(by_cost.cut_cost < 0.65 * plain.cost(), "the cut avoids what is expensive");
+  CHECK(by_cost.average_distortion < by_length.average_distortion + 0.05, "about the same distortion");
 }
 
 // Only the ratios of weights matter.
@@ -94,13 +95,13 @@ void test_unit_of_weights()
   Surface plain(expensive_in_front), uniform([](const Mesh::Point&) { return 3; });
   const auto by_length = plain.unwrap(CGAL::parameters::all_default(), "by length");
   const auto by_uniform_cost = uniform.unwrap(CGAL::parameters::edge_weight_map(uniform.weight), "uniform weights");
-  check(plain.has_same_cut(uniform), "uniform weights change nothing");
-  check(std::abs(by_uniform_cost.cut_cost - 3 * by_length.cut_length) <= 1e-9 * by_uniform_cost.cut_cost, "their cost");
+  CHECK(plain.has_same_cut(uniform), "uniform weights change nothing");
+  CHECK(std::abs(by_uniform_cost.cut_cost - 3 * by_length.cut_length) <= 1e-9 * by_uniform_cost.cut_cost, "their cost");
 
   Surface small(expensive_in_front), large([](const Mesh::Point& p) { return 1024 * expensive_in_front(p); });
   small.unwrap_by_cost(no_coarser_version);
   large.unwrap_by_cost(no_coarser_version);
-  check(small.has_same_cut(large), "the unit of the weights does not matter");
+  CHECK(small.has_same_cut(large), "the unit of the weights does not matter");
 }
 
 // The end of the bumpy sphere where a cut would end.
@@ -119,9 +120,9 @@ void test_forbidden_cap(int coarse_number_of_faces)
   Surface free([](const Mesh::Point&) { return 1; });
   Surface forbidden([](const Mesh::Point& p) { return is_in_cap(p) ? infinity : 1; });
   free.unwrap_by_cost(coarse_number_of_faces);
-  check(has_edge_in_cap(free), "the cap would be cut");
+  CHECK(has_edge_in_cap(free), "the cap would be cut");
   forbidden.unwrap_by_cost(coarse_number_of_faces);
-  check(!has_edge_in_cap(forbidden), "the cap stays whole");
+  CHECK(!has_edge_in_cap(forbidden), "the cap stays whole");
 }
 
 void test_threads()
@@ -129,12 +130,15 @@ void test_threads()
   Surface one(expensive_in_front), several(expensive_in_front);
   one.unwrap_by_cost(coarser_version);
   const auto np = CGAL::parameters::edge_weight_map(several.weight).coarse_number_of_faces(coarser_version);
-  check(bool(SMC::unwrap<CGAL::Parallel_if_available_tag>(several.mesh, several.is_cut, several.uv, np)), "several threads");
-  check(one.has_same_cut(several), "the same cut for any number of threads");
+  CHECK(SMC::unwrap<CGAL::Parallel_if_available_tag>(several.mesh, several.is_cut, several.uv, np), "several threads");
+  CHECK(one.has_same_cut(several), "the same cut for any number of threads");
 }
+
+} // namespace weighted_cuts_test
 
 int main()
 {
+  using namespace weighted_cuts_test;
   for(const int coarse_number_of_faces : {no_coarser_version, coarser_version})
   {
     test_expensive_side(coarse_number_of_faces);

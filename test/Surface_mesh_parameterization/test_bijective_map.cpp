@@ -1,7 +1,7 @@
 // Scaffolds fill the outside of a chart; maps built with them are injective, by a test of all pairs
 // of border edges, and no worse than they have to be.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
@@ -16,13 +16,14 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <utility>
 #include <vector>
+
+namespace bijective_map_test {
 
 using namespace smp;
 using Eigen::Vector2d;
@@ -84,19 +85,19 @@ void check_scaffold(const Corner_table& chart, const std::vector<Vector2d>& uv)
 {
   Scaffold scaffold;
   const bool is_built = scaffold.build(chart, uv);
-  assert(is_built);
+  CHECK(is_built);
   const int n = chart.number_of_vertices();
   for(int v = 0; v < n; ++v)
-    assert(scaffold.points()[v] == uv[v]);
+    CHECK(scaffold.points()[v] == uv[v]);
   std::vector<Triangle> triangles = chart.triangles();
   triangles.insert(triangles.end(), scaffold.triangles().begin(), scaffold.triangles().end());
-  assert(!has_flip(triangles, scaffold.points()));
+  CHECK(!has_flip(triangles, scaffold.points()));
   std::map<std::pair<int, int>, int> halfedges;
   for(const Triangle& t : triangles)
     for(int k = 0; k < 3; ++k)
     {
       const bool is_new = halfedges.insert({{t[k], t[(k + 1) % 3]}, 1}).second;
-      assert(is_new);
+      CHECK(is_new);
     }
   int open = 0;
   for(const auto& h : halfedges)
@@ -104,12 +105,12 @@ void check_scaffold(const Corner_table& chart, const std::vector<Vector2d>& uv)
     {
       ++open;
       for(int v : {h.first.first, h.first.second})
-        assert(v >= n && v < n + Scaffold::number_of_corners);
+        CHECK(v >= n && v < n + Scaffold::number_of_corners);
     }
-  assert(open == Scaffold::number_of_corners);
+  CHECK(open == Scaffold::number_of_corners);
   const Vector2d extent = scaffold.points()[n + 2] - scaffold.points()[n];
   const double area = chart_area(triangles, scaffold.points());
-  assert(std::abs(area - extent.x() * extent.y()) < 1e-9 * area);
+  CHECK(std::abs(area - extent.x() * extent.y()) < 1e-9 * area);
 }
 
 // Borders that touch or cross have no scaffold.
@@ -123,8 +124,8 @@ void test_no_scaffold()
   for(const Vector2d& tip : tips)
   {
     uv[5] = tip;
-    assert(has_crossing(chart, uv));
-    assert(!Scaffold().build(chart, uv));
+    CHECK(has_crossing(chart, uv));
+    CHECK(!Scaffold().build(chart, uv));
   }
 }
 
@@ -137,13 +138,13 @@ std::pair<std::vector<Vector2d>, bool> check_map(const Test_surface& surface)
   Chart_parameterizer(chart, surface.points, shapes, linear_solvers).isometric_map(plain, Newton_options());
   const Newton_result result
     = bijective_map(chart, surface.points, shapes, linear_solvers, uv, Newton_options());
-  assert(result.outcome == Newton_outcome::CONVERGED || result.outcome == Newton_outcome::STALLED);
-  assert(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
+  CHECK(result.outcome == Newton_outcome::CONVERGED || result.outcome == Newton_outcome::STALLED);
+  CHECK(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
   const double plain_energy = energy(chart, shapes, plain);
-  assert(std::abs(result.energy - energy(chart, shapes, uv)) < 1e-9);
+  CHECK(std::abs(result.energy - energy(chart, shapes, uv)) < 1e-9);
   const bool is_plain = !has_crossing(chart, plain);
-  assert(is_plain == (uv == plain));
-  assert(result.energy > plain_energy - 1e-3);
+  CHECK(is_plain == (uv == plain));
+  CHECK(result.energy > plain_energy - 1e-3);
   std::cout << chart.number_of_vertices() << " vertices: " << plain_energy << " -> " << result.energy
             << (is_plain ? "" : ", would overlap") << std::endl;
   check_scaffold(chart, uv);
@@ -157,7 +158,7 @@ void check_from_tutte(const Test_surface& surface)
   const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
   std::vector<Vector2d> start;
   const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, start);
-  assert(is_mapped && !has_crossing(chart, start));
+  CHECK(is_mapped && !has_crossing(chart, start));
   for(bool moves_scaffold : {false, true})
   {
     Scaffold_options options;
@@ -165,15 +166,15 @@ void check_from_tutte(const Test_surface& surface)
     std::vector<Vector2d> uv = start;
     const Newton_result result
       = Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
-    assert(result.energy < energy(chart, shapes, start));
-    assert(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
+    CHECK(result.energy < energy(chart, shapes, start));
+    CHECK(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
   }
   // Stopped at once, it stays where it is.
   Scaffold_options options;
   options.go_further = [] { return false; };
   std::vector<Vector2d> uv = start;
   const Newton_result result = Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
-  assert(result.outcome == Newton_outcome::STOPPED && uv == start);
+  CHECK(result.outcome == Newton_outcome::STOPPED && uv == start);
 }
 
 // Each inner vertex is in one set, none of its neighbors in the same.
@@ -185,16 +186,16 @@ void check_independent_sets(const Corner_table& chart)
   for(int s = 0; s < int(sets.size()); ++s)
     for(int v : sets[s])
     {
-      assert(set_of[v] == -1 && chart.source(halfedges[v]) == v);
+      CHECK(set_of[v] == -1 && chart.source(halfedges[v]) == v);
       set_of[v] = s;
     }
   std::vector<char> is_inner(chart.number_of_vertices(), 1);
   for(int h : border_halfedges(chart))
     is_inner[chart.source(h)] = 0;
   for(int v = 0; v < chart.number_of_vertices(); ++v)
-    assert((set_of[v] >= 0) == bool(is_inner[v]));
+    CHECK((set_of[v] >= 0) == bool(is_inner[v]));
   for(int h = 0; h < int(chart.opposites().size()); ++h)
-    assert(set_of[chart.source(h)] == -1 || set_of[chart.source(h)] != set_of[chart.target(h)]);
+    CHECK(set_of[chart.source(h)] == -1 || set_of[chart.source(h)] != set_of[chart.target(h)]);
 }
 
 // Stars are improved inside of the border alone, by any number of threads to the same map. A map that is near what is known to be the least energy stays.
@@ -204,26 +205,26 @@ void check_improvement(const Test_surface& surface)
   const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
   std::vector<Vector2d> start;
   const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, start);
-  assert(is_mapped);
+  CHECK(is_mapped);
   std::vector<Vector2d> uv = start;
   std::vector<Vector2d> parallel = start;
   improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv);
   improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, parallel, Execution::PARALLEL);
-  assert(parallel == uv);
-  assert(!has_flip(chart.triangles(), uv));
-  assert(energy(chart, shapes, uv) < energy(chart, shapes, start));
+  CHECK(parallel == uv);
+  CHECK(!has_flip(chart.triangles(), uv));
+  CHECK(energy(chart, shapes, uv) < energy(chart, shapes, start));
   for(int h : border_halfedges(chart))
-    assert(uv[chart.source(h)] == start[chart.source(h)]);
+    CHECK(uv[chart.source(h)] == start[chart.source(h)]);
 
   Scaffold_options options;
   options.least_decrease = 0.01;
   options.least_energy = 0.995 * energy(chart, shapes, uv);
   const std::vector<Vector2d> former = uv;
   const Newton_result near = Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
-  assert(near.outcome == Newton_outcome::CONVERGED && uv == former);
+  CHECK(near.outcome == Newton_outcome::CONVERGED && uv == former);
   options.least_energy = 0.985 * energy(chart, shapes, uv);
   Scaffold_minimization(chart, shapes, linear_solvers, options)(uv);
-  assert(energy(chart, shapes, uv) < energy(chart, shapes, former));
+  CHECK(energy(chart, shapes, uv) < energy(chart, shapes, former));
 }
 
 // The coarsest stage is small, and grows to the whole chart in steps of the same factor.
@@ -232,10 +233,10 @@ void check_coarsest_size()
   for(int n : {4, 499, 500, 501, 2000, 2001, 18107})
   {
     int size = coarsest_size(n), stages = 0;
-    assert(size <= 500 && (n <= 500 ? size == n : size > 100));
+    CHECK(size <= 500 && (n <= 500 ? size == n : size > 100));
     for(; size < n; size *= growth_of_stages)
       ++stages;
-    assert(size < n + 2 * (1 << (2 * stages)));
+    CHECK(size < n + 2 * (1 << (2 * stages)));
   }
 }
 
@@ -246,9 +247,9 @@ void check_border_stays(const Test_surface& surface)
   Chart_hierarchy hierarchy(chart, surface.points, true);
   hierarchy.coarsen(chart.number_of_vertices() / 2);
   const std::vector<int> left = hierarchy.stage().vertices;
-  assert(left.size() <= std::size_t(chart.number_of_vertices() / 2));
+  CHECK(left.size() <= std::size_t(chart.number_of_vertices() / 2));
   for(int h : border_halfedges(chart))
-    assert(std::find(left.begin(), left.end(), chart.source(h)) != left.end());
+    CHECK(std::find(left.begin(), left.end(), chart.source(h)) != left.end());
 }
 
 // Refinement alone, without any optimization: the image of a stage lies inside the former one.
@@ -257,7 +258,7 @@ void check_refinement(const Test_surface& surface)
   const Corner_table& chart = surface.chart;
   Chart_hierarchy hierarchy(chart, surface.points, true);
   const int size = hierarchy.coarsen(20);
-  assert(size < chart.number_of_vertices());
+  CHECK(size < chart.number_of_vertices());
   std::vector<Vector2d> uv(chart.number_of_vertices(), Vector2d(0, 0));
   double area = std::numeric_limits<double>::infinity();
   while(true)
@@ -267,21 +268,21 @@ void check_refinement(const Test_surface& surface)
     if(std::isinf(area))
     {
       const bool is_mapped = tutte_map(stage.chart, stage.points, 1, linear_solvers, stage_uv);
-      assert(is_mapped);
+      CHECK(is_mapped);
       for(std::size_t v = 0; v < stage_uv.size(); ++v)
         uv[stage.vertices[v]] = stage_uv[v];
     }
     for(std::size_t v = 0; v < stage_uv.size(); ++v)
       stage_uv[v] = uv[stage.vertices[v]];
-    assert(!has_flip(stage.chart.triangles(), stage_uv) && !has_crossing(stage.chart, stage_uv));
+    CHECK(!has_flip(stage.chart.triangles(), stage_uv) && !has_crossing(stage.chart, stage_uv));
     const double stage_area = chart_area(stage.chart.triangles(), stage_uv);
-    assert(stage_area <= area);
+    CHECK(stage_area <= area);
     area = stage_area;
     if(hierarchy.is_complete())
       return;
     const bool is_refined
       = hierarchy.refine_to<Symmetric_Dirichlet_energy>(2 * hierarchy.number_of_vertices(), uv);
-    assert(is_refined);
+    CHECK(is_refined);
   }
 }
 
@@ -292,7 +293,7 @@ void check_opening(Test_surface surface, CGAL::Random& random)
   const std::vector<Rest_shape> shapes = rest_shapes(chart.triangles(), surface.points);
   std::vector<Vector2d> uv;
   const bool is_mapped = tutte_map(chart, surface.points, surface_area(shapes), linear_solvers, uv);
-  assert(is_mapped);
+  CHECK(is_mapped);
   std::vector<char> is_taken(chart.number_of_vertices(), 0);
   std::vector<int> starts, slit;
   for(int h = 0; h < int(chart.opposites().size()); ++h)
@@ -320,13 +321,13 @@ void check_opening(Test_surface surface, CGAL::Random& random)
   const std::vector<Vector2d> former = uv;
   const double former_area = chart_area(chart.triangles(), uv);
   open_injectively(slit, chart, uv);
-  assert(chart.number_of_vertices() == int(former.size() + slit.size())); // all but the tip fall apart
-  assert(chart.euler_characteristic() == 1);
-  assert(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
+  CHECK(chart.number_of_vertices() == int(former.size() + slit.size())); // all but the tip fall apart
+  CHECK(chart.euler_characteristic() == 1);
+  CHECK(!has_flip(chart.triangles(), uv) && !has_crossing(chart, uv));
   const double area = chart_area(chart.triangles(), uv);
-  assert(area < former_area && area > former_area / 2);
+  CHECK(area < former_area && area > former_area / 2);
   for(std::size_t v = 0; v < former.size(); ++v)
-    assert(is_on_slit[v] || uv[v] == former[v]);
+    CHECK(is_on_slit[v] || uv[v] == former[v]);
   check_scaffold(chart, uv);
 }
 
@@ -358,8 +359,11 @@ Test_surface make_saddle(int arms, int length, double height, CGAL::Random& rand
     [&](int i, int j) { return j > 2 && i % width == width - 1; });
 }
 
+} // namespace bijective_map_test
+
 int main()
 {
+  using namespace bijective_map_test;
   CGAL::Random random(7);
   std::cout << "seed " << random.get_seed() << std::endl;
   test_no_scaffold();
@@ -389,6 +393,7 @@ int main()
   for(int arms : {4, 7})
     for(double height : {0.3, 0.7})
       check(make_saddle(arms, 15, height, random));
-  assert(overlapping >= cases - 1);
+  CHECK(overlapping >= cases - 1);
   check_map(make_cut_sphere(20));
+  return test::exit_status();
 }

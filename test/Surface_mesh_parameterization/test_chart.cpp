@@ -1,18 +1,20 @@
 // Random openings of closed surfaces: the chart against a count from scratch, and closing bit for bit.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Random.h>
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 #include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
+
+namespace chart_test {
 
 using namespace CGAL::Surface_mesh_parameterization::internal;
 
@@ -92,10 +94,10 @@ void check(const Corner_table& chart, const Corner_table& closed, const std::set
   for(int h = 0; h < int(chart.opposites().size()); ++h)
   {
     const bool is_open = open.count(h) || open.count(closed.opposite(h));
-    assert(chart.opposite(h) == (is_open ? -1 : closed.opposite(h)));
-    assert(chart.is_border(h) == is_open);
+    CHECK(chart.opposite(h) == (is_open ? -1 : closed.opposite(h)));
+    CHECK(chart.is_border(h) == is_open);
     border += is_open;
-    assert(chart.origins()[chart.source(h)] == closed.source(h));
+    CHECK(chart.origins()[chart.source(h)] == closed.source(h));
   }
   // Corner_table vertices are the classes of corners.
   const std::vector<int> classes = corner_classes(closed, open);
@@ -104,30 +106,30 @@ void check(const Corner_table& chart, const Corner_table& closed, const std::set
   for(int h = 0; h < int(classes.size()); ++h)
   {
     const int v = vertex_of_class.emplace(classes[h], chart.source(h)).first->second;
-    assert(v == chart.source(h));
+    CHECK(v == chart.source(h));
     vertices.insert(v);
   }
-  assert(vertices.size() == vertex_of_class.size());
-  assert(int(vertices.size()) == chart.number_of_vertices());
+  CHECK(vertices.size() == vertex_of_class.size());
+  CHECK(int(vertices.size()) == chart.number_of_vertices());
   // The corners of each vertex form one fan, with at most one border halfedge in and out.
   std::map<int, int> leaving;
   for(int h = 0; h < int(classes.size()); ++h)
     if(chart.is_border(h))
-      assert(++leaving[chart.source(h)] == 1);
+      CHECK(++leaving[chart.source(h)] == 1);
   // Euler characteristic and borders.
   const int edges = (int(chart.opposites().size()) + border) / 2;
-  assert(chart.euler_characteristic() == int(vertices.size()) - edges + chart.number_of_triangles());
+  CHECK(chart.euler_characteristic() == int(vertices.size()) - edges + chart.number_of_triangles());
   int length = 0;
   for(const std::vector<int>& loop : chart.border_loops())
   {
     length += int(loop.size());
     for(std::size_t i = 0; i < loop.size(); ++i)
     {
-      assert(chart.is_border(loop[i]));
-      assert(chart.target(loop[i]) == chart.source(loop[(i + 1) % loop.size()]));
+      CHECK(chart.is_border(loop[i]));
+      CHECK(chart.target(loop[i]) == chart.source(loop[(i + 1) % loop.size()]));
     }
   }
-  assert(length == border);
+  CHECK(length == border);
 }
 
 // Each part alone is the same as among the others.
@@ -143,15 +145,15 @@ void check_parts(const Corner_table& chart)
         triangles.push_back(t);
     const Corner_table alone = chart.part(triangles);
     const auto halfedge = [&](int h) { return 3 * triangles[h / 3] + h % 3; };
-    assert(alone.number_of_triangles() == int(triangles.size()));
+    CHECK(alone.number_of_triangles() == int(triangles.size()));
     for(int h = 0; h < int(alone.opposites().size()); ++h)
     {
-      assert(alone.origins()[alone.source(h)] == chart.origins()[chart.source(halfedge(h))]);
-      assert((alone.is_border(h) ? -1 : halfedge(alone.opposite(h))) == chart.opposite(halfedge(h)));
+      CHECK(alone.origins()[alone.source(h)] == chart.origins()[chart.source(halfedge(h))]);
+      CHECK((alone.is_border(h) ? -1 : halfedge(alone.opposite(h))) == chart.opposite(halfedge(h)));
     }
     number_of_vertices += alone.number_of_vertices();
   }
-  assert(number_of_vertices == chart.number_of_vertices());
+  CHECK(number_of_vertices == chart.number_of_vertices());
 }
 
 // A walk along edges of the surface, which may cross itself and repeat edges.
@@ -169,9 +171,9 @@ std::vector<int> random_path(const Corner_table& chart, int length, CGAL::Random
   return path;
 }
 
-void test(const Corner_table& closed, CGAL::Random& random)
+void test_cuts(const Corner_table& closed, CGAL::Random& random)
 {
-  assert(closed.border_loops().empty());
+  CHECK(closed.border_loops().empty());
   Corner_table chart = closed;
   std::set<int> open;
   std::vector<Corner_table> states;
@@ -197,31 +199,34 @@ void test(const Corner_table& closed, CGAL::Random& random)
   while(!openings.empty())
   {
     chart.close(openings.back());
-    assert(chart.triangles() == states.back().triangles());
-    assert(chart.opposites() == states.back().opposites());
-    assert(chart.origins() == states.back().origins());
+    CHECK(chart.triangles() == states.back().triangles());
+    CHECK(chart.opposites() == states.back().opposites());
+    CHECK(chart.origins() == states.back().origins());
     openings.pop_back();
     states.pop_back();
   }
 }
 
+} // namespace chart_test
+
 int main()
 {
+  using namespace chart_test;
   CGAL::Random random(3);
   for(int i = 0; i < 150; ++i)
   {
-    test(torus(random.get_int(3, 9), random.get_int(3, 9)), random);
-    test(sphere(random.get_int(1, 6), random.get_int(3, 12)), random);
+    test_cuts(torus(random.get_int(3, 9), random.get_int(3, 9)), random);
+    test_cuts(sphere(random.get_int(1, 6), random.get_int(3, 12)), random);
   }
-  assert(torus(4, 5).euler_characteristic() == 0);
-  assert(sphere(4, 5).euler_characteristic() == 2);
+  CHECK(torus(4, 5).euler_characteristic() == 0);
+  CHECK(sphere(4, 5).euler_characteristic() == 2);
 
   // Everything open: one disk per triangle.
   Corner_table chart = sphere(3, 4);
   std::vector<int> all(chart.opposites().size());
   std::iota(all.begin(), all.end(), 0);
   chart.open(all);
-  assert(chart.number_of_vertices() == 3 * chart.number_of_triangles());
-  assert(chart.euler_characteristic() == chart.number_of_triangles());
-  return 0;
+  CHECK(chart.number_of_vertices() == 3 * chart.number_of_triangles());
+  CHECK(chart.euler_characteristic() == chart.number_of_triangles());
+  return test::exit_status();
 }

@@ -1,18 +1,19 @@
 // Collapses keep a chart's topology and are undone bit for bit; maps of the coarsest stage become
 // flip-free maps of the whole chart.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 
-#include <cassert>
 #include <iostream>
 #include <iterator>
 #include <map>
 #include <set>
 #include <vector>
+
+namespace chart_hierarchy_test {
 
 using namespace smp;
 
@@ -61,21 +62,21 @@ void check_topology(const Collapsible_chart& chart, const std::set<int>& vertice
     opposites.push_back(o < 0 ? -1 : 3 * numbers[o / 3] + o % 3);
     if(o < 0)
       continue;
-    assert(numbers[o / 3] >= 0 && chart.opposites()[o] == h);
-    assert(chart.source(o) == chart.target(h) && chart.target(o) == chart.source(h));
+    CHECK(numbers[o / 3] >= 0 && chart.opposites()[o] == h);
+    CHECK(chart.source(o) == chart.target(h) && chart.target(o) == chart.source(h));
   }
-  assert(corners.size() == vertices.size());
+  CHECK(corners.size() == vertices.size());
   std::vector<int> fan;
   for(int v : vertices)
   {
     chart.fan(v, fan);
-    assert(int(fan.size()) == corners.at(v)); // one fan
+    CHECK(int(fan.size()) == corners.at(v)); // one fan
     for(int h : fan)
-      assert(chart.source(h) == v && !chart.is_dormant(h / 3));
-    assert(chart.is_on_border(v) == (chart.opposites()[fan.front()] < 0));
+      CHECK(chart.source(h) == v && !chart.is_dormant(h / 3));
+    CHECK(chart.is_on_border(v) == (chart.opposites()[fan.front()] < 0));
   }
   const Corner_table compact(triangles, opposites, *vertices.rbegin() + 1);
-  assert(compact.euler_characteristic() == characteristic);
+  CHECK(compact.euler_characteristic() == characteristic);
 }
 
 void test_collapses(const Corner_table& chart, CGAL::Random& random)
@@ -108,18 +109,18 @@ void test_collapses(const Corner_table& chart, CGAL::Random& random)
     vertices.erase(v);
     check_topology(collapsible, vertices, characteristic);
   }
-  assert(log.size() == int(collapsed.size()));
-  assert(2 * collapsed.size() > vertices.size());
+  CHECK(log.size() == int(collapsed.size()));
+  CHECK(2 * collapsed.size() > vertices.size());
   while(!collapsed.empty())
   {
-    assert(collapsible.undo(log) == collapsed.back());
+    CHECK(collapsible.undo(log) == collapsed.back());
     vertices.insert(collapsed.back());
-    assert(State(collapsible, vertices, n) == states.back());
+    CHECK(State(collapsible, vertices, n) == states.back());
     collapsed.pop_back();
     states.pop_back();
   }
-  assert(collapsible.triangles() == chart.triangles());
-  assert(collapsible.opposites() == chart.opposites());
+  CHECK(collapsible.triangles() == chart.triangles());
+  CHECK(collapsible.opposites() == chart.opposites());
 }
 
 template <typename Energy>
@@ -128,16 +129,16 @@ void test_hierarchy(const Test_surface& surface)
   std::vector<Eigen::Vector2d> uv;
   const bool is_mapped
     = hierarchical_map<Energy>(surface.chart, surface.points, linear_solvers, uv) == Stages_outcome::MAPPED;
-  assert(is_mapped && count_flips(surface.chart.triangles(), uv) == 0);
+  CHECK(is_mapped && count_flips(surface.chart.triangles(), uv) == 0);
 
   Chart_hierarchy hierarchy(surface.chart, surface.points);
   const int size = hierarchy.coarsen(30);
   const Chart_hierarchy::Stage stage = hierarchy.stage();
-  assert(int(stage.vertices.size()) == size && size == hierarchy.number_of_vertices());
-  assert(stage.chart.euler_characteristic() == surface.chart.euler_characteristic());
-  assert(stage.shapes.size() == stage.chart.triangles().size());
+  CHECK(int(stage.vertices.size()) == size && size == hierarchy.number_of_vertices());
+  CHECK(stage.chart.euler_characteristic() == surface.chart.euler_characteristic());
+  CHECK(stage.shapes.size() == stage.chart.triangles().size());
   for(int v = 0; v < size; ++v)
-    assert(stage.points[v] == surface.points[stage.vertices[v]]);
+    CHECK(stage.points[v] == surface.points[stage.vertices[v]]);
   std::vector<Eigen::Vector2d> stage_uv;
   if(!tutte_map(stage.chart, stage.points, surface_area(stage.shapes), linear_solvers, stage_uv))
     return; // a bad triangulation of a coarse stage
@@ -145,7 +146,7 @@ void test_hierarchy(const Test_surface& surface)
   for(int v = 0; v < size; ++v)
     uv[stage.vertices[v]] = stage_uv[v];
   if(hierarchy.refine_to<Energy>(int(surface.points.size()), uv))
-    assert(count_flips(surface.chart.triangles(), uv) == 0 && hierarchy.is_complete());
+    CHECK(count_flips(surface.chart.triangles(), uv) == 0 && hierarchy.is_complete());
 }
 
 // The finest stages of a large chart are made in regions: the same ones with one thread and with several.
@@ -157,30 +158,33 @@ void test_regions(const Test_surface& surface, bool keeps_region)
   {
     Chart_hierarchy hierarchy(surface.chart, surface.points, keeps_region, execution);
     const int size = hierarchy.coarsen(250, 0);
-    assert(size <= 300 && size == hierarchy.number_of_vertices());
+    CHECK(size <= 300 && size == hierarchy.number_of_vertices());
     std::vector<Eigen::Vector2d>& uv = maps[execution == Execution::PARALLEL];
     uv.assign(n, Eigen::Vector2d::Zero());
     for(int number = size; number < n; number = hierarchy.number_of_vertices())
     {
       const Chart_hierarchy::Stage stage = hierarchy.stage();
-      assert(int(stage.vertices.size()) == hierarchy.number_of_vertices() && int(stage.vertices.size()) >= number);
-      assert(stage.chart.euler_characteristic() == surface.chart.euler_characteristic());
+      CHECK(int(stage.vertices.size()) == hierarchy.number_of_vertices() && int(stage.vertices.size()) >= number);
+      CHECK(stage.chart.euler_characteristic() == surface.chart.euler_characteristic());
       std::vector<Eigen::Vector2d> stage_uv = restricted(uv, stage.vertices);
       if(number == size)
-        assert(tutte_map(stage.chart, stage.points, surface_area(stage.shapes), linear_solvers, stage_uv));
-      assert(count_flips(stage.chart.triangles(), stage_uv) == 0);
+        CHECK(tutte_map(stage.chart, stage.points, surface_area(stage.shapes), linear_solvers, stage_uv));
+      CHECK(count_flips(stage.chart.triangles(), stage_uv) == 0);
       extend(stage_uv, stage.vertices, uv);
       const bool is_extended = hierarchy.refine_to<Symmetric_Dirichlet_energy>(4 * number, uv);
-      assert(is_extended);
+      CHECK(is_extended);
     }
-    assert(hierarchy.is_complete() && hierarchy.number_of_vertices() == n);
-    assert(count_flips(surface.chart.triangles(), uv) == 0);
+    CHECK(hierarchy.is_complete() && hierarchy.number_of_vertices() == n);
+    CHECK(count_flips(surface.chart.triangles(), uv) == 0);
   }
-  assert(maps[0] == maps[1]);
+  CHECK(maps[0] == maps[1]);
 }
+
+} // namespace chart_hierarchy_test
 
 int main()
 {
+  using namespace chart_hierarchy_test;
   CGAL::Random random(5);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(int i = 0; i < 10; ++i)
@@ -202,4 +206,5 @@ int main()
   const Test_surface large = make_hills(160, 140, random);
   test_regions(large, false);
   test_regions(large, true);
+  return test::exit_status();
 }

@@ -1,16 +1,18 @@
 // Parts of random gluings of triangles against a search from each lowest triangle.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
 #include <CGAL/Random.h>
 
 #include <algorithm>
-#include <cassert>
 #include <iostream>
 #include <numeric>
 #include <random>
 #include <vector>
+
+namespace connected_parts_test {
 
 using namespace CGAL::Surface_mesh_parameterization::internal;
 
@@ -45,19 +47,22 @@ void search(const std::vector<int>& opposites, const std::vector<char>& is_exclu
   }
 }
 
-void test(const std::vector<int>& opposites, const std::vector<char>& is_excluded, const Connected_parts& parts)
+void test_parts(const std::vector<int>& opposites, const std::vector<char>& is_excluded, const Connected_parts& parts)
 {
   std::vector<int> expected(is_excluded.size(), -1);
   int number = 0;
   for(int t = 0; t < int(expected.size()); ++t)
     if(!is_excluded[t] && expected[t] < 0)
       search(opposites, is_excluded, t, number++, expected);
-  assert(parts.number == number);
-  assert(parts.part == expected);
+  CHECK(parts.number == number);
+  CHECK(parts.part == expected);
 }
+
+} // namespace connected_parts_test
 
 int main()
 {
+  using namespace connected_parts_test;
   const unsigned seed = CGAL::get_default_random().get_seed();
   std::cout << "seed " << seed << std::endl;
   CGAL::Random random(seed);
@@ -67,11 +72,11 @@ int main()
     const int n = random.get_int(0, 60);
     const std::vector<int> opposites = random_opposites(n, random.get_int(0, 3 * n / 2 + 1), generator);
     std::vector<char> is_excluded(n, 0);
-    test(opposites, is_excluded, Connected_parts(opposites));
+    test_parts(opposites, is_excluded, Connected_parts(opposites));
     const double share = random.get_double();
     for(char& e : is_excluded)
       e = random.get_double() < share;
-    test(opposites, is_excluded, Connected_parts(opposites, [&](int t) { return bool(is_excluded[t]); }));
+    test_parts(opposites, is_excluded, Connected_parts(opposites, [&](int t) { return bool(is_excluded[t]); }));
   }
-  return 0;
+  return test::exit_status();
 }

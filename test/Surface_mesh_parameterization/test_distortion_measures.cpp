@@ -1,6 +1,7 @@
 // The distortion measures against maps of known distortion and a computation from scratch.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_parameterization/distortion_measures.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -13,10 +14,11 @@
 
 #include <Eigen/Dense>
 
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
+
+namespace distortion_measures_test {
 
 using K = CGAL::Simple_cartesian<double>;
 using Point_2 = K::Point_2;
@@ -85,12 +87,12 @@ public:
       const Eigen::Vector2d p = m * plane_coordinates(get(CGAL::vertex_point, mesh, target(h, mesh)));
       uv[h] = Point_2(p.x(), p.y());
     }
-    assert(is_close(mips(), expected_mips));
+    CHECK(is_close(mips(), expected_mips));
     for(face_descriptor f : faces(mesh))
-      assert(is_close(face_energy[f], expected_mips));
-    assert(is_close(symmetric_dirichlet(), expected_symmetric_dirichlet));
+      CHECK(is_close(face_energy[f], expected_mips));
+    CHECK(is_close(symmetric_dirichlet(), expected_symmetric_dirichlet));
     for(face_descriptor f : faces(mesh))
-      assert(is_close(face_energy[f], expected_symmetric_dirichlet));
+      CHECK(is_close(face_energy[f], expected_symmetric_dirichlet));
   }
 
   void known_maps()
@@ -98,19 +100,19 @@ public:
     Eigen::Matrix2d m;
     m << 0, -1, 1, 0;
     known_map(m, 1, 4);
-    assert(is_close(scale(), 1));
+    CHECK(is_close(scale(), 1));
     known_map(3 * m, 1, 18 + 2 / 9.);
-    assert(is_close(scale(), 1 / 3.));
+    CHECK(is_close(scale(), 1 / 3.));
     m << 1, 0.7, 0, 1; // a shear
     known_map(m, 1 + 0.49 / 2, 4 + 2 * 0.49);
-    assert(is_close(scale(), 1));
+    CHECK(is_close(scale(), 1));
     m << 2, 0, 0, 0.5;
     known_map(m, (4 + 0.25) / 2, 2 * (4 + 0.25));
     m << -1, 0, 0, 1; // a reflection
     const double infinity = std::numeric_limits<double>::infinity();
     for(auto& h : uv)
       h.second = Point_2(-h.second.x(), h.second.y());
-    assert(mips() == infinity && symmetric_dirichlet() == infinity);
+    CHECK(mips() == infinity && symmetric_dirichlet() == infinity);
   }
 
   void random_map(CGAL::Random& random, double size)
@@ -147,11 +149,11 @@ public:
       sum_mips += expected[f].area * expected[f].mips;
       sum_symmetric_dirichlet += expected[f].area * expected[f].symmetric_dirichlet;
     }
-    assert(is_close(mips(), sum_mips / area));
+    CHECK(is_close(mips(), sum_mips / area));
     for(face_descriptor f : faces(mesh))
-      assert(std::abs(face_energy[f] / expected[f].mips - 1) < 1e-6);
+      CHECK(std::abs(face_energy[f] / expected[f].mips - 1) < 1e-6);
     const double average = symmetric_dirichlet();
-    assert(is_close(average, sum_symmetric_dirichlet / area));
+    CHECK(is_close(average, sum_symmetric_dirichlet / area));
 
     // Vertices, from the one-rings.
     std::map<vertex_descriptor, double> distortion;
@@ -166,7 +168,7 @@ public:
             sum += expected[face(h, mesh)].area * face_energy[face(h, mesh)];
             ring += expected[face(h, mesh)].area;
           }
-      assert(ring > 0 ? is_close(distortion[v], sum / ring) : distortion[v] == 0);
+      CHECK(ring > 0 ? is_close(distortion[v], sum / ring) : distortion[v] == 0);
     }
 
     // No other scale is better.
@@ -179,13 +181,16 @@ public:
       return SMP::compute_symmetric_Dirichlet_energy(mesh, pmap(uv), boost::dummy_property_map());
     };
     const double best = energy_at(s);
-    assert(best <= average * (1 + 1e-12));
-    assert(best < energy_at(0.99 * s) && best < energy_at(1.01 * s));
+    CHECK(best <= average * (1 + 1e-12));
+    CHECK(best < energy_at(0.99 * s) && best < energy_at(1.01 * s));
   }
 };
 
+} // namespace distortion_measures_test
+
 int main()
 {
+  using namespace distortion_measures_test;
   CGAL::Random random(5);
   for(double size : {1., 1e200, 1e-200})
   {
@@ -194,7 +199,7 @@ int main()
     // Removed elements and an isolated vertex.
     CGAL::Euler::remove_face(halfedge(*std::next(faces(mesh).begin(), 7), mesh), mesh);
     mesh.add_vertex(Point_3(0, 0, 0));
-    assert(mesh.has_garbage());
+    CHECK(mesh.has_garbage());
     Test<Surface_mesh> test(mesh);
     test.known_maps();
     test.random_map(random, size);
@@ -204,5 +209,5 @@ int main()
   Test<Polyhedron> test(polyhedron);
   test.known_maps();
   test.random_map(random, 1);
-  return 0;
+  return test::exit_status();
 }

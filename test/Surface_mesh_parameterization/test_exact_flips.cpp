@@ -1,15 +1,17 @@
 // The exact flip test against rational arithmetic.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
 
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+namespace exact_flips_test {
 
 using namespace CGAL::Surface_mesh_parameterization::internal;
 using Eigen::Vector2d;
@@ -33,14 +35,14 @@ void test_nearly_collinear(double scale)
       const Vector2d a(0.5 + i * ulp, 0.5 + j * ulp);
       const Vector2d p = scale * a, q = scale * b, r = scale * c;
       const bool expected = is_counterclockwise_rational(p, q, r);
-      assert(is_counterclockwise(p, q, r) == expected);
-      assert(is_counterclockwise(q, r, p) == expected);
-      assert(is_counterclockwise(r, p, q) == expected);
+      CHECK(is_counterclockwise(p, q, r) == expected);
+      CHECK(is_counterclockwise(q, r, p) == expected);
+      CHECK(is_counterclockwise(r, p, q) == expected);
       positive += expected;
       naive_errors += ((q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x()) > 0) != expected;
     }
-  assert(0 < positive && positive < 64 * 64);
-  assert(naive_errors > 0);
+  CHECK(0 < positive && positive < 64 * 64);
+  CHECK(naive_errors > 0);
 }
 
 void test_random(CGAL::Random& random)
@@ -52,7 +54,7 @@ void test_random(CGAL::Random& random)
     Vector2d p[3];
     for(Vector2d& q : p)
       q = Vector2d(std::ldexp(random.get_int(-4, 5), e), std::ldexp(random.get_int(-4, 5), e));
-    assert(is_counterclockwise(p[0], p[1], p[2]) == is_counterclockwise_rational(p[0], p[1], p[2]));
+    CHECK(is_counterclockwise(p[0], p[1], p[2]) == is_counterclockwise_rational(p[0], p[1], p[2]));
   }
 }
 
@@ -65,18 +67,21 @@ void test_count()
   const std::vector<Triangle> triangles
     = {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}, {1, 3, 2}, {0, 0, 1}};
   std::vector<int> witness;
-  assert(count_flips(triangles, uv, &witness) == 5);
-  assert((witness == std::vector<int>{1, 2, 3, 4, 6}));
-  assert(count_flips(triangles, uv) == 5);
+  CHECK(count_flips(triangles, uv, &witness) == 5);
+  CHECK((witness == std::vector<int>{1, 2, 3, 4, 6}));
+  CHECK(count_flips(triangles, uv) == 5);
 }
+
+} // namespace exact_flips_test
 
 int main()
 {
+  using namespace exact_flips_test;
   test_nearly_collinear(1);
   test_nearly_collinear(std::ldexp(1., 1000));
   test_nearly_collinear(std::ldexp(1., -1000));
   CGAL::Random random(7);
   test_random(random);
   test_count();
-  return 0;
+  return test::exit_status();
 }

@@ -1,7 +1,7 @@
 // Any solver that a program gives: the same maps as with the built-in one, for all systems, with its settings,
 // and with its analysis kept.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "Recording_solver.h"
 #include "charts.h"
 
@@ -26,7 +26,6 @@
 #endif
 
 #include <atomic>
-#include <cassert>
 #include <complex>
 #include <iostream>
 #include <limits>
@@ -34,6 +33,8 @@
 #include <set>
 #include <type_traits>
 #include <vector>
+
+namespace linear_solvers_test {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using namespace smp;
@@ -71,7 +72,7 @@ struct Problem
   {
     Map uv;
     const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), solvers, uv);
-    assert(is_mapped);
+    CHECK(is_mapped);
     return uv;
   }
   Newton_solver newton(const Solvers& solvers) const
@@ -88,14 +89,14 @@ struct Problem
     Newton_options options;
     options.decrement = 1e-12;
     Newton_solver solver = newton(solvers);
-    assert(minimize(solver, uv, options).is_converged());
+    CHECK(minimize(solver, uv, options).is_converged());
     return uv;
   }
   Map spectral(const Solvers& solvers) const
   {
     Map uv;
     const bool is_mapped = spectral_conformal_map(surface.chart, shapes, solvers, uv);
-    assert(is_mapped);
+    CHECK(is_mapped);
     return uv;
   }
 };
@@ -103,7 +104,7 @@ struct Problem
 void check_close(const Map& a, const Map& b)
 {
   for(std::size_t v = 0; v < a.size(); ++v)
-    assert((a[v] - b[v]).norm() < 1e-6);
+    CHECK((a[v] - b[v]).norm() < 1e-6);
 }
 
 template <typename Solver>
@@ -123,7 +124,7 @@ void test_solver(const Problem& problem, const Solver& solver)
   const std::unique_ptr<Linear_solver> single = solvers.make();
   single->analyze(matrix);
   const Eigen::Vector2d right(1, -1);
-  assert(!single->factorize(matrix) || !(right.dot(single->solve(right)) > 0));
+  CHECK(!single->factorize(matrix) || !(right.dot(single->solve(right)) > 0));
 }
 
 template <typename Solver>
@@ -151,8 +152,8 @@ void test_settings()
   {
     const std::unique_ptr<Linear_solver> solver = make_solvers(given).make();
     solver->analyze(identity);
-    assert(solver->factorize(identity));
-    assert(solver->solve(Eigen::VectorXd::Constant(3, 8)).isApproxToConstant(2));
+    CHECK(solver->factorize(identity));
+    CHECK(solver->solve(Eigen::VectorXd::Constant(3, 8)).isApproxToConstant(2));
   };
   check_shift(CGAL::Eigen_solver_traits<Shifted_LDLT>());
   Solver_record record;
@@ -170,25 +171,25 @@ void test_record(const Problem& problem)
   Solvers solvers = make_solvers(Recording_solver(record));
   solvers.factorized_unknowns = &unknowns;
   Map uv = problem.tutte(solvers);
-  assert(record.analyses == 1 && record.factorizations == 1 && unknowns == record.sizes.back());
+  CHECK(record.analyses == 1 && record.factorizations == 1 && unknowns == record.sizes.back());
   problem.spectral(solvers);
-  assert(record.analyses == 2 && record.factorizations == 2);
-  assert(record.sizes.back() == 2 * problem.surface.chart.number_of_vertices());
+  CHECK(record.analyses == 2 && record.factorizations == 2);
+  CHECK(record.sizes.back() == 2 * problem.surface.chart.number_of_vertices());
 
   Newton_solver solver = problem.newton(solvers);
   Newton_options options;
   options.maximum_iterations = 2;
   int iterations = problem.minimize(solver, uv, options).iterations;
   iterations += problem.minimize(solver, uv, options).iterations;
-  assert(iterations > 2 && record.analyses == 3 && record.factorizations == 2 + iterations);
+  CHECK(iterations > 2 && record.analyses == 3 && record.factorizations == 2 + iterations);
 
-  assert(unknowns == record.sizes[0] + record.sizes[1] + (record.factorizations - 2) * record.sizes[2]);
+  CHECK(unknowns == record.sizes[0] + record.sizes[1] + (record.factorizations - 2) * record.sizes[2]);
 
   const Scaffold_options scaffold_options;
   const int former = record.factorizations;
   const Newton_result scaffold
     = Scaffold_minimization(problem.surface.chart, problem.shapes, solvers, scaffold_options)(uv);
-  assert(scaffold.iterations > 0 && record.factorizations == former + scaffold.iterations);
+  CHECK(scaffold.iterations > 0 && record.factorizations == former + scaffold.iterations);
 }
 
 // Random Hermitian systems against Eigen, small ones and such with supernodes, and whether definite ones are told apart.
@@ -218,17 +219,17 @@ void test_unordered_systems(CGAL::Random& random, const Solvers& solvers)
     Solver solver(solvers);
     for(double factor : {1., 2.}) // one object serves several systems
     {
-      assert(solver.factorize(Scalar(factor) * lower));
+      CHECK(solver.factorize(Scalar(factor) * lower));
       const Vector solution = solver.solve(right);
       const Vector product = lower.template selfadjointView<Eigen::Lower>() * solution;
-      assert((factor * product - right).norm() < 1e-9);
-      assert((factor * solution - eigen.solve(right)).norm() < 1e-12);
+      CHECK((factor * product - right).norm() < 1e-9);
+      CHECK((factor * solution - eigen.solve(right)).norm() < 1e-12);
     }
     for(double wrong : {-1., std::numeric_limits<double>::quiet_NaN()})
     {
       Matrix indefinite = lower;
       indefinite.coeffRef(size / 2, size / 2) = wrong;
-      assert(!solver.factorize(indefinite));
+      CHECK(!solver.factorize(indefinite));
     }
   }
 }
@@ -240,7 +241,7 @@ SMP::Error_code parameterize(const Parameterizer& parameterizer)
 {
   Mesh mesh;
   const bool is_read = CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/nefertiti.off"), mesh);
-  assert(is_read);
+  CHECK(is_read);
   auto uv_map = mesh.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2>("v:uv").first;
   return SMP::parameterize(mesh, parameterizer, CGAL::Polygon_mesh_processing::longest_border(mesh).first, uv_map);
 }
@@ -251,19 +252,22 @@ void test_parameterizer()
 {
   Solver_record record;
   Recording_solver solver(record);
-  assert(parameterize(Parameterizer<Mesh, Recording_solver>(solver)) == SMP::OK);
+  CHECK(parameterize(Parameterizer<Mesh, Recording_solver>(solver)) == SMP::OK);
   const std::set<int> sizes(record.sizes.begin(), record.sizes.end());
-  assert(record.analyses > 2 && record.analyses == int(sizes.size())); // every size once
-  assert(record.factorizations > record.analyses);
+  CHECK(record.analyses > 2 && record.analyses == int(sizes.size())); // every size once
+  CHECK(record.factorizations > record.analyses);
 
   solver.is_broken = true;
-  assert(parameterize(Parameterizer<Mesh, Recording_solver>(solver)) != SMP::OK);
-  assert((parameterize(Parameterizer<Mesh, CGAL::Eigen_solver_traits<LDLT> >()) == SMP::OK));
-  assert((parameterize(Parameterizer<Mesh, CGAL::Eigen_solver_traits<Negating_LDLT> >()) != SMP::OK));
+  CHECK(parameterize(Parameterizer<Mesh, Recording_solver>(solver)) != SMP::OK);
+  CHECK((parameterize(Parameterizer<Mesh, CGAL::Eigen_solver_traits<LDLT> >()) == SMP::OK));
+  CHECK((parameterize(Parameterizer<Mesh, CGAL::Eigen_solver_traits<Negating_LDLT> >()) != SMP::OK));
 }
+
+} // namespace linear_solvers_test
 
 int main()
 {
+  using namespace linear_solvers_test;
   CGAL::Random random(7);
   std::cout << "seed " << random.get_seed() << std::endl;
   const Problem problem{make_hills(12, 12, random, true)};
@@ -288,4 +292,5 @@ int main()
   test_parameterizer<SMP::MIPS_parameterizer_3>();
   test_parameterizer<SMP::Symmetric_Dirichlet_parameterizer_3>();
   test_parameterizer<SMP::Bijective_symmetric_Dirichlet_parameterizer_3>();
+  return test::exit_status();
 }

@@ -1,6 +1,6 @@
 // Energies and the best scale of maps as they are against exact arithmetic, on surfaces with triangles of any height.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
@@ -11,10 +11,11 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <vector>
+
+namespace map_measures_test {
 
 using namespace smp;
 using Number = CGAL::Exact_rational;
@@ -84,7 +85,7 @@ bool are_close(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b
 
 // A grid of random places in the plane and in space. Some points of the surface are moved to an edge up to `height` of
 // its length, which makes caps; with `height` 0, faces without area.
-void test(int n, double height, CGAL::Random& random)
+void test_caps(int n, double height, CGAL::Random& random)
 {
   const auto jitter = [&] { return random.get_double(-0.3, 0.3) / n; };
   Test_surface grid = make_grid_surface(n, n, random,
@@ -115,13 +116,13 @@ void test(int n, double height, CGAL::Random& random)
   const Map_measures measures(triangles, grid.points, triangles);
   const Exact_measures expected(triangles, grid.points, triangles, uv);
   const Map_measures::Energies found = measures.energies(uv);
-  assert(are_close(found.average, expected.average()));
-  assert(are_close(found.maximum, expected.maximum));
-  assert(measures.has_thickened_faces() == (height < minimal_height));
-  assert(height < minimal_height ? found.average_of_others < found.average || height == 0
-                                 : found.average_of_others == found.average);
+  CHECK(are_close(found.average, expected.average()));
+  CHECK(are_close(found.maximum, expected.maximum));
+  CHECK(measures.has_thickened_faces() == (height < minimal_height));
+  CHECK(height < minimal_height ? found.average_of_others < found.average || height == 0
+                                : found.average_of_others == found.average);
   const double scale = measures.best_scale(uv);
-  assert(are_close(scale, std::pow(expected.compression / expected.stretch, 0.25)));
+  CHECK(are_close(scale, std::pow(expected.compression / expected.stretch, 0.25)));
   std::vector<Eigen::Vector2d> scaled = uv;
   for(Eigen::Vector2d& u : scaled)
     u *= scale;
@@ -130,7 +131,7 @@ void test(int n, double height, CGAL::Random& random)
     std::vector<Eigen::Vector2d> other = scaled;
     for(Eigen::Vector2d& u : other)
       u *= factor;
-    assert(measures.energies(scaled).average < measures.energies(other).average);
+    CHECK(measures.energies(scaled).average < measures.energies(other).average);
   }
 }
 
@@ -141,15 +142,19 @@ void test_no_area()
   const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
   const std::vector<Eigen::Vector2d> uv = {{0, 0}, {1, 0}, {0, 1}};
   const Map_measures measures(triangles, points, triangles);
-  assert(measures.best_scale(uv) == 1 && measures.has_thickened_faces());
+  CHECK(measures.best_scale(uv) == 1 && measures.has_thickened_faces());
 }
+
+} // namespace map_measures_test
 
 int main()
 {
+  using namespace map_measures_test;
   CGAL::Random random(23);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(int i = 0; i < 8; ++i)
     for(double height : {1e-1, 1e-3, 2e-7, 5e-8, 1e-9, 1e-11, 1e-13, 0.})
-      test(random.get_int(3, 12), height, random);
+      test_caps(random.get_int(3, 12), height, random);
   test_no_area();
+  return test::exit_status();
 }

@@ -1,7 +1,7 @@
 // Newton's method: known optima, the energy never grows, no flips, fixed vertices, the callback;
 // what is done between its steps, the relaxation of stars; and what it starts from, Tutte's embedding.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
@@ -10,10 +10,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <limits>
+
+namespace newton_solver_test {
 
 using namespace smp;
 using Map = std::vector<Eigen::Vector2d>;
@@ -30,9 +31,9 @@ struct Problem
       weights(area_weights(shapes))
   {
     const bool is_mapped = tutte_map(surface.chart, surface.points, surface_area(shapes), linear_solvers, tutte);
-    assert(is_mapped);
-    assert(count_flips(surface.chart.triangles(), tutte) == 0);
-    assert(std::abs(chart_area(surface.chart.triangles(), tutte) - surface_area(shapes)) < 1e-12);
+    CHECK(is_mapped);
+    CHECK(count_flips(surface.chart.triangles(), tutte) == 0);
+    CHECK(std::abs(chart_area(surface.chart.triangles(), tutte) - surface_area(shapes)) < 1e-12);
   }
 
   Newton_solver solver(const std::vector<char>& is_fixed = {}) const
@@ -54,19 +55,19 @@ void test_descent(const Problem& problem)
   {
     const Newton_result result
       = solver.minimize<Energy>(problem.shapes, problem.weights, uv, options);
-    assert(result.energy <= energy && result.energy >= Energy::ideal * (1 - 1e-12));
-    assert(result.energy == solver.energy<Energy>(problem.shapes, problem.weights, uv));
-    assert(count_flips(problem.surface.chart.triangles(), uv) == 0);
+    CHECK(result.energy <= energy && result.energy >= Energy::ideal * (1 - 1e-12));
+    CHECK(result.energy == solver.energy<Energy>(problem.shapes, problem.weights, uv));
+    CHECK(count_flips(problem.surface.chart.triangles(), uv) == 0);
     energy = result.energy;
     if(result.is_converged())
       break;
-    assert(result.outcome == Newton_outcome::ITERATION_LIMIT && i < 100);
+    CHECK(result.outcome == Newton_outcome::ITERATION_LIMIT && i < 100);
   }
   // Where it ends, the gradient vanishes.
   Newton_system system(problem.surface.chart.triangles(), int(uv.size()), {});
   system.assemble<Energy>(problem.surface.chart.triangles(), problem.shapes, problem.weights, uv,
                           0);
-  assert(system.gradient().norm() < 1e-3 * energy);
+  CHECK(system.gradient().norm() < 1e-3 * energy);
 }
 
 // A developable surface has an isometric map.
@@ -78,19 +79,19 @@ void test_known_optimum(const Test_surface& surface)
   options.decrement = 1e-12;
   Map uv;
   const Newton_result isometric = parameterizer.isometric_map(uv, options);
-  assert(isometric.is_converged() && std::abs(isometric.energy - 4) < 1e-9);
+  CHECK(isometric.is_converged() && std::abs(isometric.energy - 4) < 1e-9);
   const std::vector<Triangle>& triangles = surface.chart.triangles();
   for(const Triangle& t : triangles)
     for(int k = 0; k < 3; ++k)
     {
       const int v = t[k], w = t[(k + 1) % 3];
       const double length = (surface.points[w] - surface.points[v]).norm();
-      assert(std::abs((uv[w] - uv[v]).norm() - length) < 1e-5 * length);
+      CHECK(std::abs((uv[w] - uv[v]).norm() - length) < 1e-5 * length);
     }
   const Newton_result conformal = parameterizer.conformal_map(uv, options);
-  assert(conformal.is_converged() && std::abs(conformal.energy - 1) < 1e-9);
-  assert(std::abs(chart_area(triangles, uv) - surface_area(problem.shapes)) < 1e-12);
-  assert(count_flips(triangles, uv) == 0);
+  CHECK(conformal.is_converged() && std::abs(conformal.energy - 1) < 1e-9);
+  CHECK(std::abs(chart_area(triangles, uv) - surface_area(problem.shapes)) < 1e-12);
+  CHECK(count_flips(triangles, uv) == 0);
 }
 
 void test_fixed_vertices(const Problem& problem, CGAL::Random& random)
@@ -102,17 +103,17 @@ void test_fixed_vertices(const Problem& problem, CGAL::Random& random)
   Newton_solver solver = problem.solver(is_fixed);
   const Newton_result result
     = solver.minimize<MIPS_energy>(problem.shapes, problem.weights, uv, Newton_options());
-  assert(result.is_converged() && count_flips(problem.surface.chart.triangles(), uv) == 0);
+  CHECK(result.is_converged() && count_flips(problem.surface.chart.triangles(), uv) == 0);
   for(std::size_t v = 0; v < uv.size(); ++v)
-    assert(!is_fixed[v] || uv[v] == problem.tutte[v]);
+    CHECK(!is_fixed[v] || uv[v] == problem.tutte[v]);
 
   is_fixed.assign(uv.size(), 1);
   Newton_solver idle = problem.solver(is_fixed);
   const Map before = uv;
   const Newton_result none
     = idle.minimize<MIPS_energy>(problem.shapes, problem.weights, uv, Newton_options());
-  assert(none.is_converged() && none.iterations == 0 && uv == before);
-  assert(none.energy == result.energy);
+  CHECK(none.is_converged() && none.iterations == 0 && uv == before);
+  CHECK(none.energy == result.energy);
 }
 
 void test_callback(const Problem& problem)
@@ -128,14 +129,14 @@ void test_callback(const Problem& problem)
   };
   const Newton_result result
     = solver.minimize<MIPS_energy>(problem.shapes, problem.weights, uv, options);
-  assert(result.outcome == Newton_outcome::STOPPED && !result.is_converged() && states.size() == 3);
+  CHECK(result.outcome == Newton_outcome::STOPPED && !result.is_converged() && states.size() == 3);
   const auto energy_of = [&](const Map& map)
   { return solver.energy<MIPS_energy>(problem.shapes, problem.weights, map); };
-  assert(std::abs(states[0].energy - energy_of(problem.tutte)) < 1e-12 * states[0].energy);
-  assert(states[1].energy < states[0].energy && states[2].energy < states[1].energy);
-  assert(states[0].iteration == 1 && states[0].decrement > 0);
+  CHECK(std::abs(states[0].energy - energy_of(problem.tutte)) < 1e-12 * states[0].energy);
+  CHECK(states[1].energy < states[0].energy && states[2].energy < states[1].energy);
+  CHECK(states[0].iteration == 1 && states[0].decrement > 0);
   // The step that was found is not taken.
-  assert(std::abs(energy_of(uv) - result.energy) < 1e-12 * result.energy);
+  CHECK(std::abs(energy_of(uv) - result.energy) < 1e-12 * result.energy);
 }
 
 // A map with a flip is refused.
@@ -147,7 +148,7 @@ void test_invalid_start(const Problem& problem)
   Newton_solver solver = problem.solver();
   const Newton_result result
     = solver.minimize<MIPS_energy>(problem.shapes, problem.weights, uv, Newton_options());
-  assert(result.outcome == Newton_outcome::FAILED && result.iterations == 0);
+  CHECK(result.outcome == Newton_outcome::FAILED && result.iterations == 0);
 }
 
 // A vertex that was moved to the edge of its star is moved back, little else is, and the gradient is that of the new map.
@@ -177,21 +178,24 @@ void test_relaxation(const Problem& problem, CGAL::Random& random)
   system.assemble<Energy>(triangles, problem.shapes, problem.weights, uv, 0);
   const double gain = Star_relaxation(Execution::PARALLEL)
     .relax<Energy>(triangles, problem.shapes, problem.weights, threshold, system, uv);
-  assert(gain > 0.5 * (before - energy_of(best)));
-  assert(std::abs(before - energy_of(uv) - gain) < 1e-10 * before);
-  assert(count_flips(triangles, uv) == 0);
+  CHECK(gain > 0.5 * (before - energy_of(best)));
+  CHECK(std::abs(before - energy_of(uv) - gain) < 1e-10 * before);
+  CHECK(count_flips(triangles, uv) == 0);
   fresh.assemble<Energy>(triangles, problem.shapes, problem.weights, uv, 0);
-  assert((system.gradient() - fresh.gradient()).norm() < 1e-9 * (1 + fresh.gradient().norm()));
+  CHECK((system.gradient() - fresh.gradient()).norm() < 1e-9 * (1 + fresh.gradient().norm()));
 
   Map still = moved; // where nothing is worth it
   fresh.assemble<Energy>(triangles, problem.shapes, problem.weights, still, 0);
   const double none = Star_relaxation(Execution::SEQUENTIAL)
     .relax<Energy>(triangles, problem.shapes, problem.weights, std::numeric_limits<double>::infinity(), fresh, still);
-  assert(none == 0 && still == moved);
+  CHECK(none == 0 && still == moved);
 }
+
+} // namespace newton_solver_test
 
 int main()
 {
+  using namespace newton_solver_test;
   CGAL::Random random(11);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(int i = 0; i < 10; ++i)
@@ -212,4 +216,5 @@ int main()
   // Many holes: each is closed by a virtual vertex.
   for(int i = 0; i < 20; ++i)
     Problem(make_hills(random.get_int(5, 30), random.get_int(5, 30), random, true));
+  return test::exit_status();
 }

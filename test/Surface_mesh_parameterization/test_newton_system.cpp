@@ -1,7 +1,7 @@
 // The sparse system against a dense assembly, with fixed vertices; the flip barrier against
 // bisection.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
@@ -12,11 +12,12 @@
 
 #include <Eigen/LU>
 
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <vector>
+
+namespace newton_system_test {
 
 using namespace smp;
 
@@ -76,26 +77,26 @@ void test_assembly(const Test_surface& surface, CGAL::Random& random, bool has_f
   {
     constexpr double shift = 1e-3;
     const double e = system.assemble<Energy>(triangles, shapes, weights, uv, shift);
-    assert(std::abs(e - energy) <= 1e-13 * energy);
+    CHECK(std::abs(e - energy) <= 1e-13 * energy);
     const Eigen::MatrixXd found
       = Eigen::MatrixXd(system.hessian()).selfadjointView<Eigen::Upper>();
     int unknowns = 0;
     for(int v = 0; v < n; ++v)
     {
       const int p = system.unknown(v);
-      assert((p >= 0) == (is_used[v] && !(has_fixed && is_fixed[v])));
+      CHECK((p >= 0) == (is_used[v] && !(has_fixed && is_fixed[v])));
       if(p < 0)
       {
-        assert(system.decrement(v) == 0);
+        CHECK(system.decrement(v) == 0);
         continue;
       }
       unknowns += 2;
       const Eigen::Vector2d g = system.gradient().segment<2>(p);
       const double decrement = g.dot(Eigen::Matrix2d(found.block<2, 2>(p, p)).inverse() * g);
-      assert(std::abs(system.decrement(v) - decrement) <= 1e-9 * (decrement + 1e-9 * energy));
+      CHECK(std::abs(system.decrement(v) - decrement) <= 1e-9 * (decrement + 1e-9 * energy));
       const Eigen::Vector2d difference
         = system.gradient().segment<2>(p) - gradient.segment<2>(2 * v);
-      assert(difference.norm() <= 1e-12 * gradient.norm());
+      CHECK(difference.norm() <= 1e-12 * gradient.norm());
       for(int w = 0; w < n; ++w)
       {
         const int q = system.unknown(w);
@@ -105,10 +106,10 @@ void test_assembly(const Test_surface& surface, CGAL::Random& random, bool has_f
         if(v == w)
           expected.diagonal() *= 1 + shift;
         const Eigen::Matrix2d block = found.block<2, 2>(p, q);
-        assert((block - expected).norm() <= 1e-12 * hessian.norm());
+        CHECK((block - expected).norm() <= 1e-12 * hessian.norm());
       }
     }
-    assert(unknowns == system.number_of_unknowns());
+    CHECK(unknowns == system.number_of_unknowns());
   }
 }
 
@@ -133,28 +134,31 @@ void test_barrier(const Test_surface& surface, CGAL::Random& random)
   {
     low = high;
     high *= 1.01;
-    assert(high < 1e3);
+    CHECK(high < 1e3);
   }
   while(high - low > 1e-13 * high && 0.5 * (low + high) != low && 0.5 * (low + high) != high)
     (is_positive(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
-  assert(std::abs(step - low) <= 1e-8 * low);
+  CHECK(std::abs(step - low) <= 1e-8 * low);
 }
 
 void test_roots()
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  assert(smallest_positive_root(1, 1, 1) == infinity);
-  assert(smallest_positive_root(1, 1, 0) == infinity);
-  assert(smallest_positive_root(1, 0, 0) == infinity);
-  assert(smallest_positive_root(1, -1, 0) == 1);
-  assert(smallest_positive_root(2, -3, 1) == 1);
-  assert(smallest_positive_root(1, 0, -1) == 1);
-  assert(smallest_positive_root(1, -2, 1) == 1);
-  assert(std::abs(smallest_positive_root(1e-20, -1, 1) - 1e-20) < 1e-30); // no cancellation
+  CHECK(smallest_positive_root(1, 1, 1) == infinity);
+  CHECK(smallest_positive_root(1, 1, 0) == infinity);
+  CHECK(smallest_positive_root(1, 0, 0) == infinity);
+  CHECK(smallest_positive_root(1, -1, 0) == 1);
+  CHECK(smallest_positive_root(2, -3, 1) == 1);
+  CHECK(smallest_positive_root(1, 0, -1) == 1);
+  CHECK(smallest_positive_root(1, -2, 1) == 1);
+  CHECK(std::abs(smallest_positive_root(1e-20, -1, 1) - 1e-20) < 1e-30); // no cancellation
 }
+
+} // namespace newton_system_test
 
 int main()
 {
+  using namespace newton_system_test;
   CGAL::Random random(7);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(int i = 0; i < 6; ++i)
@@ -166,4 +170,5 @@ int main()
       test_barrier(surface, random);
   }
   test_roots();
+  return test::exit_status();
 }

@@ -1,7 +1,8 @@
 // The parameterizers through CGAL's function parameterize(), on seam meshes and plain meshes, with
 // one border and several, at extreme scales; and what they say to bad input.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_parameterization/Bijective_symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
@@ -23,7 +24,6 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -32,6 +32,8 @@
 #include <unordered_map>
 #include <utility>
 #include <vector>
+
+namespace parameterizers_test {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -61,7 +63,7 @@ std::pair<double, double> areas(const Mesh& mesh, UVMap uv_map)
     const Halfedge<Mesh> h = halfedge(f, mesh);
     const auto u = target(h, mesh), v = target(next(h, mesh), mesh), w = source(h, mesh);
     const double area = CGAL::area(get(uv_map, u), get(uv_map, v), get(uv_map, w));
-    assert(CGAL::orientation(get(uv_map, u), get(uv_map, v), get(uv_map, w)) == CGAL::LEFT_TURN);
+    CHECK(CGAL::orientation(get(uv_map, u), get(uv_map, v), get(uv_map, w)) == CGAL::LEFT_TURN);
     plane += area;
     surface += std::sqrt(CGAL::squared_area(get(vpm, u), get(vpm, v), get(vpm, w)));
   }
@@ -75,12 +77,12 @@ void check_map(Mesh& mesh, UVMap uv_map, bool is_isometric)
   const auto halfedge_uv_map = boost::make_function_property_map<Halfedge<Mesh> >(
     [&](Halfedge<Mesh> h) { return get(uv_map, target(h, mesh)); });
   if(is_isometric)
-    assert(std::abs(SMP::best_isometric_scale(mesh, halfedge_uv_map) - 1) < 1e-3);
+    CHECK(std::abs(SMP::best_isometric_scale(mesh, halfedge_uv_map) - 1) < 1e-3);
   else
-    assert(std::abs(a.first - a.second) <= 1e-9 * a.second);
+    CHECK(std::abs(a.first - a.second) <= 1e-9 * a.second);
   const double energy = SMP::compute_symmetric_Dirichlet_energy(mesh, halfedge_uv_map,
                                                                 boost::dummy_property_map());
-  assert(energy >= 4 && energy < 20);
+  CHECK(energy >= 4 && energy < 20);
 }
 
 // Whether no border edge meets another one but at their common vertex.
@@ -105,7 +107,7 @@ void check(Mesh& mesh, Halfedge<Mesh> border, UVMap uv_map, bool is_isometric)
 {
   const SMP::Error_code error
     = SMP::parameterize(mesh, Parameterizer<Mesh, Solver>(), border, uv_map);
-  assert(error == SMP::OK);
+  CHECK(error == SMP::OK);
   check_map(mesh, uv_map, is_isometric);
 }
 
@@ -121,9 +123,9 @@ void check_all(Mesh& mesh, UVMap uv_map)
   check<SMP::Symmetric_Dirichlet_parameterizer_3, Default>(mesh, border, uv_map, true);
   check<SMP::Symmetric_Dirichlet_parameterizer_3, LLT_traits>(mesh, border, uv_map, true);
   check<SMP::Bijective_symmetric_Dirichlet_parameterizer_3, Default>(mesh, border, uv_map, true);
-  assert(is_injective(mesh, uv_map));
+  CHECK(is_injective(mesh, uv_map));
   check<SMP::Bijective_symmetric_Dirichlet_parameterizer_3, LLT_traits>(mesh, border, uv_map, true);
-  assert(is_injective(mesh, uv_map));
+  CHECK(is_injective(mesh, uv_map));
 }
 
 template <typename Mesh>
@@ -131,7 +133,7 @@ Mesh read(const std::string& name)
 {
   Mesh mesh;
   const bool is_read = CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh);
-  assert(is_read);
+  CHECK(is_read);
   return mesh;
 }
 
@@ -196,9 +198,9 @@ void test_overlapping_seam_mesh()
   const auto uv_map = boost::make_assoc_property_map(uvs);
   const Halfedge<Seam> border = PMP::longest_border(mesh).first;
   check<SMP::Symmetric_Dirichlet_parameterizer_3, CGAL::Default>(mesh, border, uv_map, true);
-  assert(!is_injective(mesh, uv_map));
+  CHECK(!is_injective(mesh, uv_map));
   check<SMP::Bijective_symmetric_Dirichlet_parameterizer_3, CGAL::Default>(mesh, border, uv_map, true);
-  assert(is_injective(mesh, uv_map));
+  CHECK(is_injective(mesh, uv_map));
 }
 
 template <typename Parameterizer>
@@ -217,7 +219,7 @@ SMP::Error_code run(Surface_mesh& mesh, Halfedge<Surface_mesh> bhd)
     = run<SMP::Symmetric_Dirichlet_parameterizer_3<Surface_mesh> >(mesh, bhd);
   const SMP::Error_code bijective
     = run<SMP::Bijective_symmetric_Dirichlet_parameterizer_3<Surface_mesh> >(mesh, bhd);
-  assert(conformal == isometric && conformal == bijective);
+  CHECK(conformal == isometric && conformal == bijective);
   return conformal;
 }
 
@@ -237,12 +239,12 @@ void test_scales()
     Surface_mesh mesh = read<Surface_mesh>("nefertiti.off");
     for(Vertex<Surface_mesh> v : vertices(mesh))
       mesh.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
-    assert(run(mesh) == SMP::OK);
+    CHECK(run(mesh) == SMP::OK);
     auto uv_map = mesh.add_property_map<Vertex<Surface_mesh>, Point_2>("v:uv").first; // which run() has added
     double extent = 0;
     for(Vertex<Surface_mesh> v : vertices(mesh))
       extent = (std::max)(extent, std::abs(get(uv_map, v).x()));
-    assert(extent > 0.1 * scale && extent < 10 * scale);
+    CHECK(extent > 0.1 * scale && extent < 10 * scale);
   }
 }
 
@@ -254,10 +256,10 @@ void test_components()
   const Point_3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(1, 1, 0);
   CGAL::make_tetrahedron(a, b, c, Point_3(0, 0, 1), mesh);
   CGAL::make_quad(a, b, d, c, mesh);
-  assert(run(mesh) == SMP::OK);
+  CHECK(run(mesh) == SMP::OK);
   auto is_parameterized = mesh.add_property_map<Vertex<Surface_mesh>, bool>("v:done").first; // which run() has added
   for(Vertex<Surface_mesh> v : vertices(mesh))
-    assert(get(is_parameterized, v) == (std::size_t(v) < n));
+    CHECK(get(is_parameterized, v) == (std::size_t(v) < n));
 }
 
 void test_errors()
@@ -266,40 +268,40 @@ void test_errors()
   const Point_3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(1, 1, 0);
   {
     Surface_mesh mesh;
-    assert(run(mesh, Surface_mesh::null_halfedge()) == SMP::ERROR_EMPTY_MESH);
-    assert(run(mesh, mesh.add_edge()) == SMP::ERROR_EMPTY_MESH);
+    CHECK(run(mesh, Surface_mesh::null_halfedge()) == SMP::ERROR_EMPTY_MESH);
+    CHECK(run(mesh, mesh.add_edge()) == SMP::ERROR_EMPTY_MESH);
   }
   {
     Surface_mesh mesh;
     CGAL::make_quad(a, b, d, c, mesh);
-    assert(run(mesh) == SMP::ERROR_NON_TRIANGULAR_MESH);
+    CHECK(run(mesh) == SMP::ERROR_NON_TRIANGULAR_MESH);
   }
   {
     Surface_mesh mesh;
     CGAL::make_tetrahedron(a, b, c, Point_3(0, 0, 1), mesh);
-    assert(run(mesh, *halfedges(mesh).begin()) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+    CHECK(run(mesh, *halfedges(mesh).begin()) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
   }
   {
     Surface_mesh mesh = read<Surface_mesh>("eight.off"); // has handles
     CGAL::Euler::remove_face(*halfedges(mesh).begin(), mesh);
-    assert(run(mesh) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+    CHECK(run(mesh) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
   }
   {
     Surface_mesh mesh;
     CGAL::make_triangle(a, b, c, mesh);
-    assert(run(mesh) == SMP::OK);
+    CHECK(run(mesh) == SMP::OK);
     mesh.point(*vertices(mesh).begin()) = Point_3(0, nan, 0);
-    assert(run(mesh) == SMP::ERROR_WRONG_PARAMETER);
+    CHECK(run(mesh) == SMP::ERROR_WRONG_PARAMETER);
   }
   {
     Surface_mesh mesh; // a point
     CGAL::make_triangle(b, b, b, mesh);
-    assert(run(mesh) == SMP::ERROR_NO_1_TO_1_MAPPING);
+    CHECK(run(mesh) == SMP::ERROR_NO_1_TO_1_MAPPING);
   }
   {
     Surface_mesh mesh; // a needle gets a height
     CGAL::make_triangle(a, b, Point_3(0.5, 0, 0), mesh);
-    assert(run(mesh) == SMP::OK);
+    CHECK(run(mesh) == SMP::OK);
   }
 }
 
@@ -320,7 +322,7 @@ void test_short_border()
   const auto is_parameterized = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
   const SMP::Error_code error = SMP::MIPS_parameterizer_3<Seam>().parameterize(
     mesh, Halfedge<Seam>(h, true), uv_map, index_map, is_parameterized);
-  assert(error == SMP::ERROR_BORDER_TOO_SHORT);
+  CHECK(error == SMP::ERROR_BORDER_TOO_SHORT);
 }
 
 // UVs in single precision.
@@ -330,12 +332,15 @@ void test_float()
   Surface_mesh mesh = read<Surface_mesh>("nefertiti.off");
   auto uv_map = mesh.add_property_map<Vertex<Surface_mesh>, Float_point>("v:uv").first;
   const Halfedge<Surface_mesh> border = PMP::longest_border(mesh).first;
-  assert(SMP::parameterize(mesh, SMP::MIPS_parameterizer_3<Surface_mesh>(), border, uv_map)
-         == SMP::OK);
+  CHECK(SMP::parameterize(mesh, SMP::MIPS_parameterizer_3<Surface_mesh>(), border, uv_map)
+        == SMP::OK);
 }
+
+} // namespace parameterizers_test
 
 int main()
 {
+  using namespace parameterizers_test;
   for(const char* name : {"nefertiti.off", "patch-01.off", "triangular_hole.off"})
   {
     test_plain_mesh<Surface_mesh>(name);
@@ -350,4 +355,5 @@ int main()
   test_errors();
   test_short_border();
   test_float();
+  return test::exit_status();
 }

@@ -1,6 +1,6 @@
 // Maps rounded to few bits: what the repair calls free of flips is, exactly, and it fails rarely where there is room.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Rounding_repair.h>
@@ -8,10 +8,11 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
 
-#include <cassert>
 #include <cmath>
 #include <iostream>
 #include <vector>
+
+namespace rounding_repair_test {
 
 using namespace smp;
 
@@ -60,7 +61,7 @@ Test_surface random_map(int n, double distance, CGAL::Random& random, std::vecto
 
 // The rounding keeps multiples of `step` spacings of the grid; with `has_fixed`, some vertices are neither rounded nor
 // moved.
-void test(double step, bool has_fixed, CGAL::Random& random, Counts& counts)
+void test_grid(double step, bool has_fixed, CGAL::Random& random, Counts& counts)
 {
   const int n = random.get_int(4, 16);
   const double unit = step / n;
@@ -69,7 +70,7 @@ void test(double step, bool has_fixed, CGAL::Random& random, Counts& counts)
   std::vector<Eigen::Vector2d> uv;
   const Test_surface surface = random_map(n, 0.001, random, uv);
   const std::vector<Triangle>& triangles = surface.chart.triangles();
-  assert(exact_flips(triangles, uv) == 0);
+  CHECK(exact_flips(triangles, uv) == 0);
 
   const int number_of_vertices = int(uv.size());
   const int number_of_rounded = has_fixed ? number_of_vertices - n : number_of_vertices;
@@ -83,10 +84,10 @@ void test(double step, bool has_fixed, CGAL::Random& random, Counts& counts)
   for(int v = 0; v < number_of_rounded; ++v)
     naive[v] = round(uv[v]);
   const bool is_repaired = Rounding_repair(triangles, number_of_vertices, round, number_of_rounded, is_fixed)(result);
-  assert(is_repaired == (exact_flips(triangles, result) == 0));
-  assert(exact_flips(triangles, naive) > 0 || result == naive);
+  CHECK(is_repaired == (exact_flips(triangles, result) == 0));
+  CHECK(exact_flips(triangles, naive) > 0 || result == naive);
   for(int v = 0; v < number_of_vertices; ++v)
-    assert(v < number_of_rounded ? round(result[v]) == result[v] : result[v] == uv[v]);
+    CHECK(v < number_of_rounded ? round(result[v]) == result[v] : result[v] == uv[v]);
   ++counts.maps;
   counts.rounded_flips += exact_flips(triangles, naive) > 0;
   counts.repaired += exact_flips(triangles, naive) > 0 && is_repaired;
@@ -98,11 +99,14 @@ void test_hopeless(CGAL::Random& random)
   std::vector<Eigen::Vector2d> uv;
   const Test_surface surface = random_map(4, 0.01, random, uv);
   const auto round = [](const Eigen::Vector2d&) { return Eigen::Vector2d(1, 1); };
-  assert(!Rounding_repair(surface.chart.triangles(), int(uv.size()), round, int(uv.size()), {})(uv));
+  CHECK(!Rounding_repair(surface.chart.triangles(), int(uv.size()), round, int(uv.size()), {})(uv));
 }
+
+} // namespace rounding_repair_test
 
 int main()
 {
+  using namespace rounding_repair_test;
   CGAL::Random random(31);
   std::cout << "seed " << random.get_seed() << std::endl;
   for(bool has_fixed : {false, true})
@@ -110,11 +114,12 @@ int main()
     {
       Counts counts;
       for(int i = 0; i < 100; ++i)
-        test(step, has_fixed, random, counts);
+        test_grid(step, has_fixed, random, counts);
       std::cout << "step " << step << ": " << counts.rounded_flips << " of " << counts.maps << " maps flip, "
                 << counts.repaired << " of them repaired" << std::endl;
-      assert(counts.rounded_flips > 0);
-      assert(counts.repaired >= (step > 0x1p-3 ? 0.8 : 0.97) * counts.rounded_flips);
+      CHECK(counts.rounded_flips > 0);
+      CHECK(counts.repaired >= (step > 0x1p-3 ? 0.8 : 0.97) * counts.rounded_flips);
     }
   test_hopeless(random);
+  return test::exit_status();
 }

@@ -1,7 +1,7 @@
 // Supernodal factors of random matrices and of grids against Eigen's; the supernodes against a dense elimination;
 // the same bits with one thread and with several; the order of elimination of a large graph.
 
-#undef NDEBUG
+#include "../BGL/check.h"
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
@@ -14,10 +14,11 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
-#include <cassert>
 #include <iostream>
 #include <limits>
 #include <vector>
+
+namespace supernodal_factorization_test {
 
 using namespace smp;
 
@@ -54,7 +55,7 @@ void check_supernodes(const Sparse_matrix& upper)
 {
   const Supernodes supernodes(upper);
   const int n = int(upper.cols());
-  assert(supernodes.number_of_columns() == n);
+  CHECK(supernodes.number_of_columns() == n);
   Eigen::MatrixXi factor = Eigen::MatrixXi::Zero(n, n); // its pattern, in the order of the supernodes
   for(int j = 0; j < n; ++j)
     for(Sparse_matrix::InnerIterator it(upper, j); it; ++it)
@@ -73,24 +74,24 @@ void check_supernodes(const Sparse_matrix& upper)
     for(int column = supernodes.first_column(s); column < supernodes.first_column(s + 1); ++column)
       rows[s].push_back(column);
     const int parent = supernodes.parent(s);
-    assert(parent < 0 ? supernodes.number_of_rows_below(s) == 0 : parent > s);
+    CHECK(parent < 0 ? supernodes.number_of_rows_below(s) == 0 : parent > s);
     for(int i = 0; i < supernodes.number_of_rows_below(s); ++i)
       rows[s].push_back(rows[parent][supernodes.rows_in_parent(s)[i]]);
-    assert(std::is_sorted(rows[s].begin(), rows[s].end()));
+    CHECK(std::is_sorted(rows[s].begin(), rows[s].end()));
     if(parent >= 0)
-      assert(supernodes.rows_in_parent(s)[0] < supernodes.width(parent));
+      CHECK(supernodes.rows_in_parent(s)[0] < supernodes.width(parent));
     const int first = supernodes.first_column(s);
     for(int column = first; column < first + supernodes.width(s); ++column)
       for(int i = column; i < n; ++i)
-        assert(!factor(i, column) || std::binary_search(rows[s].begin(), rows[s].end(), i));
+        CHECK(!factor(i, column) || std::binary_search(rows[s].begin(), rows[s].end(), i));
     supernodes.for_each_entry(s, [&](int row, int column, int entry)
     {
-      assert(entry >= 0 && entry < upper.nonZeros() && row >= column);
-      assert(factor(rows[s][row], first + column));
+      CHECK(entry >= 0 && entry < upper.nonZeros() && row >= column);
+      CHECK(factor(rows[s][row], first + column));
       ++number_of_entries;
     });
   }
-  assert(number_of_entries == upper.nonZeros());
+  CHECK(number_of_entries == upper.nonZeros());
 }
 
 // Each entry becomes a block of two rows and columns.
@@ -124,11 +125,11 @@ void test_random_matrices(CGAL::Random& random)
     for(double factor : {1., 2.}) // the analysis serves more than one matrix
     {
       const bool is_factorized = factorization.factorize(factor * matrix, always_go_further);
-      assert(is_factorized);
+      CHECK(is_factorized);
       const Eigen::VectorXd solution = factorization.solve(right);
       const Eigen::VectorXd product = matrix.selfadjointView<Eigen::Upper>() * solution;
-      assert((factor * product - right).norm() < 1e-9);
-      assert((factor * solution - Eigen_solver(matrix).solve(right)).norm() < 1e-12);
+      CHECK((factor * product - right).norm() < 1e-9);
+      CHECK((factor * solution - Eigen_solver(matrix).solve(right)).norm() < 1e-12);
     }
   }
 }
@@ -154,28 +155,28 @@ void test_grid(int size, CGAL::Random& random)
   const Sparse_matrix& matrix = system.hessian();
   Direct_solver solver(always_go_further, Execution::SEQUENTIAL);
   solver.analyze(matrix);
-  assert(Direct_solver::is_large(matrix));
+  CHECK(Direct_solver::is_large(matrix));
   const bool is_factorized = solver.factorize(matrix);
-  assert(is_factorized);
+  CHECK(is_factorized);
   const Eigen::VectorXd solution = solver.solve(system.gradient());
   const Eigen::VectorXd expected = Eigen_solver(matrix).solve(system.gradient());
   std::cout << matrix.cols() << " unknowns, relative difference "
             << (solution - expected).norm() / expected.norm() << std::endl;
-  assert((solution - expected).norm() <= 1e-6 * expected.norm());
+  CHECK((solution - expected).norm() <= 1e-6 * expected.norm());
   const Eigen::VectorXd product = matrix.selfadjointView<Eigen::Upper>() * solution;
-  assert((product - system.gradient()).norm() <= 1e-12 * (matrix.norm() * solution.norm() + system.gradient().norm()));
+  CHECK((product - system.gradient()).norm() <= 1e-12 * (matrix.norm() * solution.norm() + system.gradient().norm()));
 #ifdef CGAL_LINKED_WITH_TBB
   const Newton_system parallel_system = make_system(Execution::PARALLEL);
-  assert(parallel_system.gradient() == system.gradient());
-  assert(Eigen::Map<const Eigen::VectorXd>(parallel_system.hessian().valuePtr(), matrix.nonZeros())
-         == Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()));
+  CHECK(parallel_system.gradient() == system.gradient());
+  CHECK(Eigen::Map<const Eigen::VectorXd>(parallel_system.hessian().valuePtr(), matrix.nonZeros())
+        == Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()));
   Direct_solver parallel_solver(always_go_further, Execution::PARALLEL);
   parallel_solver.analyze(matrix);
   for(int repetition = 0; repetition < 3; ++repetition)
   {
     const bool is_factorized_again = parallel_solver.factorize(matrix);
-    assert(is_factorized_again);
-    assert(parallel_solver.solve(system.gradient()) == solution);
+    CHECK(is_factorized_again);
+    CHECK(parallel_solver.solve(system.gradient()) == solution);
   }
 #endif
 }
@@ -191,10 +192,10 @@ void test_indefinite(CGAL::Random& random)
     spoiled.coeffRef(i, i) = wrong;
     Supernodal_factorization factorization;
     factorization.analyze(matrix);
-    assert(!factorization.factorize(spoiled, always_go_further));
-    assert(factorization.factorize(matrix, always_go_further)); // nothing is left over
+    CHECK(!factorization.factorize(spoiled, always_go_further));
+    CHECK(factorization.factorize(matrix, always_go_further)); // nothing is left over
     const Eigen::VectorXd right = random_vector(size, random);
-    assert((matrix * factorization.solve(right) - right).norm() < 1e-9);
+    CHECK((matrix * factorization.solve(right) - right).norm() < 1e-9);
   }
 }
 
@@ -208,13 +209,13 @@ void test_interruption()
   Direct_solver solver([&] { return ++questions <= most; }, Execution::SEQUENTIAL);
   solver.analyze(matrix);
   const bool is_factorized = solver.factorize(matrix);
-  assert(is_factorized);
+  CHECK(is_factorized);
   std::cout << questions << " questions" << std::endl;
-  assert(questions >= 5);
+  CHECK(questions >= 5);
   most = questions / 2;
   questions = 0;
-  assert(!solver.factorize(matrix));
-  assert(questions == most + 1);
+  CHECK(!solver.factorize(matrix));
+  CHECK(questions == most + 1);
 }
 
 // The pattern of a grid of vertices, diagonals included.
@@ -268,22 +269,25 @@ void test_order_of_large_graph()
   std::vector<char> is_placed(graph.cols(), 0);
   for(int v : order)
   {
-    assert(v >= 0 && v < graph.cols() && !is_placed[v]);
+    CHECK(v >= 0 && v < graph.cols() && !is_placed[v]);
     is_placed[v] = 1;
   }
-  assert(int(order.size()) == graph.cols());
+  CHECK(int(order.size()) == graph.cols());
   const double entries = number_of_entries_of_factor(graph, order);
   const double entries_by_degree = number_of_entries_of_factor(graph, minimum_degree);
   std::cout << "entries of the factor: " << entries << ", by minimum degree " << entries_by_degree << std::endl;
-  assert(entries < entries_by_degree);
-  assert(fill_reducing_order(graph) == order);
+  CHECK(entries < entries_by_degree);
+  CHECK(fill_reducing_order(graph) == order);
   const Sparse_matrix small = grid_graph(100);
-  assert(fill_reducing_order(small) == minimum_degree_order(small));
+  CHECK(fill_reducing_order(small) == minimum_degree_order(small));
 #endif
 }
 
+} // namespace supernodal_factorization_test
+
 int main()
 {
+  using namespace supernodal_factorization_test;
   CGAL::Random random;
   std::cout << "seed " << random.get_seed() << std::endl;
   test_random_matrices(random);
@@ -292,4 +296,5 @@ int main()
   test_indefinite(random);
   test_interruption();
   test_order_of_large_graph();
+  return test::exit_status();
 }

@@ -1,7 +1,8 @@
 // Gradients and Hessians of the energies against finite differences in high precision, and the
 // projection of Hessians against Eigen's eigenvalues; random and nearly degenerate triangles.
 
-#undef NDEBUG
+#include "../BGL/check.h"
+
 #include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
@@ -14,9 +15,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <iostream>
+
+namespace triangle_energy_test {
 
 using namespace CGAL::Surface_mesh_parameterization::internal;
 
@@ -112,7 +114,7 @@ void check(const Rest_shape& shape, const Eigen::Vector2d (&u)[3], Real toleranc
   const Vector4 w = m * corners;
   const Differences<Definition> differences(w);
 
-  assert(std::abs(terms.value - differences.energy) <= tolerance * terms.value);
+  CHECK(std::abs(terms.value - differences.energy) <= tolerance * terms.value);
   Vector6 gradient;
   Eigen::Matrix<Real, 6, 6> hessian;
   for(int i = 0; i < 3; ++i)
@@ -129,8 +131,8 @@ void check(const Rest_shape& shape, const Eigen::Vector2d (&u)[3], Real toleranc
   const Real gradient_scale
     = m.norm() * (differences.gradient.norm() + 1e-6L * terms.value / w.norm());
   const Real hessian_scale = m.squaredNorm() * projected.norm();
-  assert((gradient - m.transpose() * differences.gradient).norm() <= tolerance * gradient_scale);
-  assert((hessian - m.transpose() * projected * m).norm() <= tolerance * hessian_scale);
+  CHECK((gradient - m.transpose() * differences.gradient).norm() <= tolerance * gradient_scale);
+  CHECK((hessian - m.transpose() * projected * m).norm() <= tolerance * hessian_scale);
 }
 
 // The three numbers that the projected Hessian consists of, against the eigenvalues of the whole.
@@ -145,14 +147,14 @@ void check_projection(const Vector4& w, Real tolerance)
   Eigen::Matrix2d block;
   block << h.zz, h.zc, h.zc, h.cc;
   const Eigen::Vector2d along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(block).eigenvalues();
-  assert(along[0] >= -1e-14 * along[1] && h.across_z >= 0 && h.across_conjugate >= 0);
+  CHECK(along[0] >= -1e-14 * along[1] && h.across_z >= 0 && h.across_conjugate >= 0);
   Eigen::Vector4d found(along[0], along[1], h.across_z, h.across_conjugate);
   std::sort(found.data(), found.data() + 4);
-  assert((found - expected).norm() <= tolerance * expected.norm());
+  CHECK((found - expected).norm() <= tolerance * expected.norm());
 }
 
 template <typename Definition>
-void test(CGAL::Random& random)
+void test_energy(CGAL::Random& random)
 {
   const auto point = [&]
   { return Eigen::Vector2d(random.get_double(-1, 1), random.get_double(-1, 1)); };
@@ -192,10 +194,14 @@ void test(CGAL::Random& random)
   }
 }
 
+} // namespace triangle_energy_test
+
 int main()
 {
+  using namespace triangle_energy_test;
   CGAL::Random random(20);
   std::cout << "seed " << random.get_seed() << std::endl;
-  test<MIPS_definition>(random);
-  test<Symmetric_Dirichlet_definition>(random);
+  test_energy<MIPS_definition>(random);
+  test_energy<Symmetric_Dirichlet_definition>(random);
+  return test::exit_status();
 }
