@@ -56,8 +56,8 @@ namespace Surface_mesh_cutting {
 ///                           chart or in different ones}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{If a chart lacks room in the plane, the method opens slits, glues parts of the chart elsewhere, or
-///                     makes several charts, see \ref smc_bijective. With a bound, this can take most of the time.}
+///     \cgalParamExtra{If a chart lacks room in the plane, the method opens slits or divides the chart, see
+///                     \ref smc_bijective. With a bound, this can take most of the time.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \copydetails PkgSurfaceMeshCuttingQualityParameters
