@@ -18,8 +18,8 @@ public:
   /// result so far
   bool go_further();
 
-  /// is called when `fraction`, a number from 0 to 1, of the whole run is done, with the phase that goes on. The fraction is an
-  /// estimate; it never decreases, and is 1 when the run has succeeded. Phases come again, as each start goes through them.
+  /// is called with the current phase when `fraction`, a number from 0 to 1, of the whole run is done. The fraction is an
+  /// estimate; it never decreases, and is 1 when the run has succeeded. Phases recur, since each start goes through them.
   /// `CGAL::Surface_mesh_cutting::connect_points()`, `CGAL::Surface_mesh_cutting::cut_handles()` and
   /// `CGAL::Surface_mesh_cutting::visibility_weights()` do not call it.
   void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction);

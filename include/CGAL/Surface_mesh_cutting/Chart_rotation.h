@@ -19,18 +19,18 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// how charts may be turned where they are packed; the value of the named parameter `chart_rotation`.
+/// how `pack_charts()` may turn charts; the value of the named parameter `chart_rotation`.
 ///
-/// A chart is aligned with the axes if its border runs along them, as far as the border has such directions, and else if
-/// the smallest rectangle around the chart lies along them.
+/// A chart is aligned with the axes if its border runs along them as far as the border has such directions, and otherwise if
+/// the smallest rectangle around the chart does.
 enum class Chart_rotation
 {
-  AUTOMATIC, ///< like `QUARTER` if the charts then fill at least 97 % of the area that they fill with `ANY`, or if the only
-             ///< chart has straight sides at right angles, like the net of a box; and else like `ANY`. Both are tried; if
-             ///< there are more than 100 charts, what is compared are packings on a grid
-  ANY,       ///< by any angle
-  QUARTER,   ///< charts are aligned with the axes, and then turned by quarter turns only
-  NONE       ///< not at all: charts keep the direction that they come with
+  AUTOMATIC, ///< tries `QUARTER` and `ANY`, and takes `QUARTER` if the charts then fill at least 97 % of the area that they
+             ///< fill with `ANY`, or if the only chart has straight sides at right angles, like the net of a box. With more
+             ///< than 100 charts, it compares packings on a grid
+  ANY,       ///< turns charts by any angle
+  QUARTER,   ///< aligns charts with the axes, and then turns them by quarter turns only
+  NONE       ///< keeps the directions of the input
 };
 
 } // namespace Surface_mesh_cutting

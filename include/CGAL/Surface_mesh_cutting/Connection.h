@@ -27,9 +27,9 @@ enum class Connection
   SHORTEST_PATH_HEURISTIC, ///< a tree that grows by the path to the nearest point outside
   GREEDY,                  ///< auxiliary points, added one by one and, except with `use_published_method(true)`, then
                            ///< exchanged
-  EXACT,                   ///< a shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget. What refinement makes
-                           ///< of the tree is no longer the shortest one, see `Cut_result::is_optimal`.
-  BEST                     ///< a shortest tree within the budget, otherwise the best one found and a lower bound
+  EXACT,                   ///< a shortest tree, or `Status_code::BOUND_NOT_REACHED` beyond the budget. An improved cut need
+                           ///< not be a shortest tree any more, see `Cut_result::is_optimal`
+  BEST                     ///< a shortest tree within the budget, otherwise the best tree found and a lower bound
 };
 
 } // namespace Surface_mesh_cutting

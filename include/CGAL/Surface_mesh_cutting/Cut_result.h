@@ -29,7 +29,7 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// what `greedy_cut()` computes besides the cut. Lengths are in units of the mesh.
+/// is the result of `greedy_cut()`, besides the cut. Lengths are in units of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
@@ -37,8 +37,8 @@ struct Cut_result
 {
   /// how the run ended.
   Status<TriangleMesh> status;
-  /// whether the output maps were written: with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED`, and with
-  /// `Status_code::STOPPED` if a valid result existed by then.
+  /// whether the output maps hold a valid result: always with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED`, and
+  /// with `Status_code::STOPPED` if a result existed by then.
   bool has_result = false;
 
   int components = 0; ///< number of connected components of the surface.
@@ -53,25 +53,25 @@ struct Cut_result
 
   double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
   double cut_length = 0;            ///< total length of the cut edges.
-  /// total weight of the cut edges, which is what the method minimizes; their length unless `edge_weight_map` is given.
+  /// total weight of the cut edges, which the method minimizes; their length unless `edge_weight_map` is given.
   double cut_cost = 0;
   /// a lower bound on the length of any cut through the same feature points, along the constrained edges and the
   /// loops that cut the handles; empty if no bound was computed, as with weights other than lengths.
   std::optional<double> lower_bound;
-  /// whether no such cut is shorter; empty if no bound was computed.
+  /// whether the cut is proven to be a shortest cut of this kind; empty if no bound was computed.
   std::optional<bool> is_optimal;
 
-  /// what other cuts offer, from cheap to expensive: the cuts that the run considered, without those that are neither
-  /// cheaper nor less distorted than another one. If feature points were detected on a coarser version, some of the cuts
-  /// are measured there; with `do_bijective`, the distortion of all but the result is that of maps that may overlap.
-  /// Empty for several components, and where constrained edges separate the surface.
+  /// cuts that the run considered, from cheap to expensive, except cuts that another one beats in cost and distortion. If
+  /// feature points were detected on a coarser version, some cuts are measured there. With `do_bijective`, the distortion of
+  /// all but the result is that of maps that may overlap. Empty for several components, and if constrained edges separate
+  /// the surface.
   std::vector<Trade_off> trade_offs;
 
   Phase_times seconds;     ///< wall time.
   Phase_times cpu_seconds; ///< processor time of all threads.
-  /// the sum, over all numeric factorizations of linear systems, of their numbers of unknowns, which does not depend on
-  /// the machine. One factorization for a map of the whole surface counts about two per vertex. With `Parallel_tag`,
-  /// more may be tried at a time and then be discarded, and the phases of different components and starts overlap.
+  /// number of unknowns, summed over all numeric factorizations of linear systems: a cost that does not depend on the
+  /// machine. One factorization for a map of the whole surface counts about two per vertex. With `Parallel_tag`, the sum
+  /// includes steps that were tried in advance and discarded, and the phases of different components and starts overlap.
   Phase_counts factorized_unknowns;
 
   /// `true` iff everything requested was computed.

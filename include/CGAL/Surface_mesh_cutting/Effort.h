@@ -19,12 +19,12 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// how much work to spend on a short cut, and on a packing that fills the square; the value of the named parameter `effort`.
+/// how much work to spend on a short cut, or on a packing that fills the square; the value of the named parameter `effort`.
 enum class Effort
 {
   FAST,    ///< one start, whose cut is improved a little
   DEFAULT, ///< a few starts, the best of which are improved further
-  BEST     ///< many starts, and what the smaller efforts find; the best result wins
+  BEST     ///< many starts, and all of the smaller efforts; the best result wins
 };
 
 } // namespace Surface_mesh_cutting

@@ -21,17 +21,17 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// what `pack_charts()` found.
+/// is the result of `pack_charts()`.
 template <typename TriangleMesh>
 struct Packing_result
 {
-  /// whether the charts are packed as well as the function can, or why not.
+  /// how the call ended.
   Status<TriangleMesh> status;
-  /// whether the UVs are packed: also if the run was stopped and the charts could be larger.
+  /// whether the UVs are packed; with `Status_code::STOPPED`, the charts could be larger.
   bool has_result = false;
-  /// length of an edge in the unit square over its length before, the same for all edges of all charts.
+  /// length of an edge in the unit square over its former length in the plane, the same for all edges of all charts.
   double scale = 0;
-  /// area of the charts in the unit square, whose own is 1.
+  /// area of the charts in the unit square: between 0 and 1.
   double fill = 0;
   /// number of parts of the surface that are connected through edges not cut.
   int number_of_charts = 0;

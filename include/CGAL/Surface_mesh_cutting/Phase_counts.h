@@ -19,14 +19,14 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// counts of what the phases of a run did, phase by phase as in `Phase_times`.
+/// holds a count for each phase of a run, as `Phase_times` holds a time.
 struct Phase_counts
 {
   long long candidates = 0;   ///< handles, first cuts, conformal maps, candidates
   long long filter = 0;       ///< selection among the candidates
   long long connect = 0;      ///< the tree through the feature points
-  long long refine = 0;       ///< repair and shortening of the connected cut
-  long long parameterize = 0; ///< the final UVs, and room for them where parts of a chart are in each other's way
+  long long refine = 0;       ///< improvement of the connected cut
+  long long parameterize = 0; ///< the final UVs, and room for bijective maps
   long long total = 0;        ///< everything, including work outside of these phases
 };
 

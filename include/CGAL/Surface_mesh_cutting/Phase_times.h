@@ -19,15 +19,15 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// seconds spent in the phases of a run. With `Parallel_tag`, the phases of different components and starts overlap: each
-/// has the time of all that runs meanwhile, and they add up to more than the total.
+/// holds the seconds spent in each phase of a run. With `Parallel_tag`, the phases of different components and starts
+/// overlap, and their times add up to more than the total.
 struct Phase_times
 {
   double candidates = 0;   ///< handles, first cuts, conformal maps, candidates
   double filter = 0;       ///< selection among the candidates
   double connect = 0;      ///< the tree through the feature points
-  double refine = 0;       ///< repair and shortening of the connected cut
-  double parameterize = 0; ///< the final UVs, and room for them where parts of a chart are in each other's way
+  double refine = 0;       ///< improvement of the connected cut
+  double parameterize = 0; ///< the final UVs, and room for bijective maps
   double total = 0;        ///< everything, including work outside of these phases
 };
 

@@ -26,13 +26,13 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// describes a finding and the elements of the mesh that it concerns.
+/// describes a finding about a mesh, and names the elements concerned.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
 struct Finding
 {
-  /// what was found.
+  /// the kind of the finding.
   Status_code code = Status_code::OK;
   /// one line for a human reader. It names the first elements: vertices and faces by their positions
   /// in `vertices(tmesh)` and `faces(tmesh)`, edges by their two vertices. Empty if there is nothing
@@ -49,14 +49,14 @@ struct Finding
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// tells how a call ended. The object itself is the finding that ended the call; `warnings` holds
-/// the findings that did not.
-/// User data never violates a precondition: a `Status` reports whatever is wrong with it.
+/// the other findings. User data never violates a precondition: a `Status` reports all defects of the
+/// data.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
 struct Status : public Finding<TriangleMesh>
 {
-  /// what the call handled but the user should know: isolated vertices, degenerate faces…
+  /// findings that did not end the call: isolated vertices, degenerate faces…
   std::vector<Finding<TriangleMesh> > warnings;
 
   /// `true` iff everything requested was computed.

@@ -26,8 +26,8 @@ enum class Status_code
 {
   OK,                      ///< everything requested was computed.
   EMPTY_MESH,              ///< the mesh has no face.
-  NOT_TRIANGULATED,        ///< a face does not have three different vertices or more, or each of its triangulations
-                           ///  repeats an edge of the surface. Witness: faces.
+  NOT_TRIANGULATED,        ///< a face has fewer than three different vertices, or each of its triangulations repeats an edge
+                           ///  of the surface. Witness: faces.
   NON_MANIFOLD,            ///< an edge with more than two faces, a vertex whose faces form
                            ///  more than one fan, or a face given twice. Witness: vertices or faces.
   INVALID_POINT,           ///< a coordinate is infinite or not a number, or a part of the surface is too small for UVs
@@ -38,14 +38,14 @@ enum class Status_code
   NOT_CUT_TO_DISKS,        ///< the marked edges leave a part that is not a disk. Witness: the faces of such a part.
   NUMERICAL_FAILURE,       ///< no flip-free parameterization was found. Witness: faces.
   NOT_CERTIFIED,           ///< the result failed the exact check. Witness: faces.
-  STOPPED,                 ///< the visitor or the time limit ended the run; there is a result nevertheless if `has_result`.
+  STOPPED,                 ///< the visitor or the time limit ended the run; `has_result` tells whether there is a result.
   BOUND_NOT_REACHED        ///< the result is valid but misses `maximum_average_distortion`, or, with `Connection::EXACT`, lacks
                            ///  the proof that it is shortest.
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// returns the name of a status in lower case, as `"bound_not_reached"`.
+/// returns the name of a status in lower case, such as `"bound_not_reached"`.
 inline std::string to_string(Status_code code)
 {
   switch(code)

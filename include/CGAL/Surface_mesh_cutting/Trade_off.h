@@ -19,7 +19,7 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// the cost of a cut that a run considered, and the distortion of the surface opened along it.
+/// holds the cost of a cut that a run considered, and the distortion of the surface opened along it.
 struct Trade_off
 {
   double cut_length = 0;         ///< total length of the cut edges.

@@ -23,14 +23,14 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// what `unwrap()` computes besides the cut and the UVs.
+/// is the result of `unwrap()`, besides the cut and the UVs.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
 struct Unwrap_result : public Cut_result<TriangleMesh>
 {
-  /// area-averaged symmetric Dirichlet energy of the UVs as the map holds them; 4 is ideal. Faces of no area do not
-  /// count; those of nearly none are mapped as if they were thicker, yet measured as they are.
+  /// area-averaged symmetric Dirichlet energy of the UVs as the map holds them; 4 is ideal. Faces without area do not
+  /// count. Faces with nearly no area are mapped as if they were thicker, but measured as they are.
   double average_distortion = 0;
   double largest_face_distortion = 0; ///< largest symmetric Dirichlet energy of a face that has an area.
   /// number of faces not strictly counterclockwise, decided exactly; 0 if there is a result.

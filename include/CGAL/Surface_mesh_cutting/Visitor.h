@@ -21,20 +21,20 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// the phases of a run, in order. Each component goes through them, and each of several starts.
+/// the phases of a run, in order. Each component and each start goes through them.
 enum class Phase
 {
   CANDIDATES,  ///< handles, first cuts, conformal maps, candidates for feature points
   FILTER,      ///< the selection among the candidates
   CONNECT,     ///< the tree through the feature points
-  REFINE,      ///< repair and shortening of the connected cut
-  PARAMETERIZE, ///< the final UVs, and room for them where parts of a chart are in each other's way
-  PACK          ///< the places of the charts in the unit square, for `pack_charts()`
+  REFINE,      ///< improvement of the connected cut
+  PARAMETERIZE, ///< the final UVs, and room for bijective maps
+  PACK          ///< places for the charts in the unit square, in `pack_charts()`
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// returns the name of a phase in lower case, as `"candidates"`.
+/// returns the name of a phase in lower case, such as `"candidates"`.
 inline std::string to_string(Phase phase)
 {
   switch(phase)
@@ -51,10 +51,10 @@ inline std::string to_string(Phase phase)
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// is the visitor that does nothing; derive your own from it.
+/// is a visitor that does nothing; a base class for other visitors.
 /// \cgalModels{CuttingVisitor}
 ///
-/// The named parameter `visitor` takes a visitor, by `std::ref` unless a copy will do.
+/// The named parameter `visitor` copies the visitor; pass it by `std::ref` to keep it.
 /// Only one thread at a time calls its functions, even with `Parallel_tag`.
 struct Default_visitor
 {
@@ -63,8 +63,8 @@ struct Default_visitor
   /// \return `false` to end the run, which then returns `Status_code::STOPPED` and the best result so far
   bool go_further() const { return true; }
 
-  /// is called with what the run does at present and how much of the whole run is done: `fraction` is an estimate between
-  /// 0 and 1 that never decreases, and is 1 when the run has succeeded. Phases come again with each start.
+  /// is called with the current phase and the fraction of the whole run that is done: `fraction` is an estimate between
+  /// 0 and 1 that never decreases, and is 1 when the run has succeeded. Phases recur with each start.
   void progress(Phase, double /* fraction */) {}
 };
 

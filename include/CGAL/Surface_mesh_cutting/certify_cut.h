@@ -25,8 +25,8 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// proves that a surface, opened along the marked edges, consists only of topological disks, or tells which part
-/// does not. The time is linear in the size of the surface.
+/// proves that a surface, opened along the marked edges, consists only of topological disks, or names a part that
+/// is not a disk. The time is linear in the size of the surface.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `ReadablePropertyMap` with

@@ -32,7 +32,8 @@ namespace Surface_mesh_cutting {
 ///
 /// proves that charts are packed: their UVs are finite and agree where no edge is cut; all triangles are
 /// counterclockwise; all charts lie in the unit square, at least the margin away from its border; no chart lies on
-/// another one, and the distance of any two is at least the margin. On request, no chart overlaps itself, either.
+/// another one; and the distance between any two charts is at least the margin. With `do_bijective`, it also proves that no
+/// chart overlaps itself.
 ///
 /// All decisions are exact, for the coordinates converted to `double` and for the margin `margin / texture_size`, which
 /// is not rounded.
@@ -66,7 +67,7 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`1024`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_bijective}
-///     \cgalParamDescription{whether no chart may overlap itself, either}
+///     \cgalParamDescription{whether to prove that no chart overlaps itself}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd

@@ -35,10 +35,10 @@ namespace Surface_mesh_cutting {
 ///
 /// proves that a surface is unwrapped: opened along the marked edges, it consists of topological
 /// disks; all UVs are finite; corners at a vertex that the cut does not separate have the same UV;
-/// and the map takes each triangle to a strictly counterclockwise one. On request, it also proves
-/// that the map is injective up to contact: the images of any two triangles have disjoint
-/// interiors, be they in the same chart or in different ones. Borders of charts may touch, and the
-/// two sides of a cut may lie on top of each other.
+/// and the map takes each triangle to a strictly counterclockwise one. With `do_bijective`, it also
+/// proves that the map is injective up to contact: the images of any two triangles, in the same chart or
+/// in different ones, have disjoint interiors. Borders of charts may touch, and the two sides of a cut may
+/// lie on top of each other.
 ///
 /// All decisions are exact: the predicates of `Exact_predicates_inexact_constructions_kernel` make
 /// them, on coordinates converted to `double` and without any tolerance.

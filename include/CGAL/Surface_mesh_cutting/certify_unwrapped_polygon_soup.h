@@ -33,9 +33,9 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// proves that a polygon soup is unwrapped: the surface as which `unwrap_polygon_soup()` reads it, opened where the UVs
-/// of two neighbors differ, is as `certify_unwrap()` asks for, and polygons given again and repeated corners have the UVs of what
-/// they repeat. All decisions are exact.
+/// proves that a polygon soup is unwrapped. The surface as `unwrap_polygon_soup()` reads it, opened where the UVs of two
+/// neighbors differ, satisfies `certify_unwrap()`, and repeated polygons and corners have the UVs of the ones that they
+/// repeat. All decisions are exact.
 ///
 /// \tparam PointRange a range of `%Point_3` of any kernel
 /// \tparam PolygonRange a range of ranges of indices of points

@@ -50,7 +50,7 @@ struct Connection_result
   /// the length of the cut without border edges.
   double length = 0;
   /// a lower bound on the weight of every cut that consists of the constrained edges, the chosen
-  /// handle loops, and further edges that connect all that must be connected. Compare it with the
+  /// handle loops, and further edges that connect the points, borders and loops. Compare it with the
   /// length only if the weights are lengths. The further edges count zero for methods without a
   /// bound: all but `Connection::EXACT` and `Connection::BEST`.
   double lower_bound = 0;
@@ -70,7 +70,7 @@ struct Connection_result
 /// On a closed surface of genus 0, the cut is a tree whose leaves are among the given vertices. Other surfaces lose
 /// their handles first, see `cut_handles()`. The cut also connects the borders, including those that handles and
 /// constrained edges leave: each counts as one point. If constrained edges separate the surface, each part is connected
-/// on its own. A part that is already a disk and contains none of the given vertices is not cut further.
+/// on its own. A part that is already a disk and contains no given vertex is not cut further.
 ///
 /// The border of a disk has at least three edges: where a single edge would suffice, the cheapest edge next to it is
 /// added.
@@ -98,8 +98,8 @@ struct Connection_result
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{use_published_method}
-///     \cgalParamDescription{whether to connect as the paper does: greedily, without exchanging auxiliary points at the
-///                           end}
+///     \cgalParamDescription{whether to connect as the paper does: greedily, without exchanging auxiliary points
+///                           afterward}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -107,12 +107,12 @@ struct Connection_result
 ///     \cgalParamDescription{can end the run}
 ///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
-///     \cgalParamExtra{Pass it by `std::ref` unless a copy will do.}
+///     \cgalParamExtra{It is copied; pass it by `std::ref` to keep it.}
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{the time in seconds after which the run ends with
-///                           `Status_code::STOPPED`; 0 means no limit, less than 0 that it has passed}
+///                           `Status_code::STOPPED`; 0 means no limit, and a negative value ends the run at once}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
@@ -120,7 +120,7 @@ struct Connection_result
 /// \copydetails PkgSurfaceMeshCuttingConnectionParameters
 /// \copydetails PkgSurfaceMeshCuttingConstraintParameters
 ///
-/// \return what is known about the cut, and a status, one of
+/// \return the length of the cut and a bound on it, and a status, one of
 /// - `Status_code::OK`;
 /// - `Status_code::BOUND_NOT_REACHED` with `Connection::EXACT` if the budget does not suffice for a proof;
 /// - `Status_code::STOPPED`, with a cut that may be longer than necessary;

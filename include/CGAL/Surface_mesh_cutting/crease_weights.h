@@ -60,7 +60,7 @@ inline std::vector<double> crease_factors(const Indexed_mesh& mesh, double small
 /// \param tmesh the surface
 /// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
-/// \param smallest_factor how little a sharp edge counts, between 0 and 1
+/// \param smallest_factor the factor of a sharp edge, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///

@@ -57,13 +57,13 @@ struct Handles_result
 /// finds short loops that cut the handles of a surface: opened along them, each of its components stays
 /// connected and has genus 0. There are as many loops as handles.
 ///
-/// The loops are chosen one after the other. Each is at most 1/0.95 times as long as the shortest loop that does not
-/// separate what the earlier ones leave. Moving along the border, along constrained edges, and along earlier loops
-/// costs nothing.
+/// The function chooses the loops one after the other. Each is at most 1.02 times as long as the shortest loop that does
+/// not separate the surface opened along the earlier loops. Moving along the border, along constrained edges, and along
+/// earlier loops costs nothing.
 ///
-/// With \f$ n \f$ vertices and genus \f$ g \f$, the time is \f$ O(g\,(n \log n + g\,n) + s) \f$, where \f$ s \f$ is the
-/// total size of balls around some vertices, whose radii are half the lengths of the loops. The memory is
-/// \f$ O(g\,n) \f$ bits and \f$ O(n) \f$ numbers.
+/// With \f$ n \f$ vertices and genus \f$ g \f$, the time is \f$ O(\lceil g / 192 \rceil\, n \log n + s) \f$, where \f$ s \f$
+/// is the total size of balls around some vertices, whose radii are about half the lengths of the loops. The memory is
+/// \f$ O(n) \f$.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsCutMap a model of `WritablePropertyMap` with
@@ -86,11 +86,11 @@ struct Handles_result
 ///     \cgalParamDescription{can end the run}
 ///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
-///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///     \cgalParamExtra{It is copied; pass it by `std::ref` to keep it.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{the time in seconds after which the run ends with `Status_code::STOPPED`; 0 means no limit,
-///                           less than 0 that it has passed}
+///                           and a negative value ends the run at once}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd

@@ -25,8 +25,8 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// finds the points that a cut must reach so that the surface flattens with low isometric distortion.
-/// They are local maximizers of the distortion of a conformal map, filtered greedily by what each of them
-/// gains \cgalCite{cgal:zycf-gccp-20} (Section 3.1).
+/// They are local maximizers of the distortion of a conformal map, filtered greedily by their gains
+/// \cgalCite{cgal:zycf-gccp-20} (Section 3.1).
 ///
 /// Solving sparse linear systems dominates the cost: a few dozen for the candidates, and one or two for each
 /// candidate that small windows do not decide. With \f$ n \f$ vertices, a system takes \f$ O(n^{1.5}) \f$ time
@@ -44,17 +44,16 @@ namespace Surface_mesh_cutting {
 /// \param out receives the feature points, ordered by their position in `vertices(tmesh)`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
-/// Where feature points are detected on a coarser version of the surface, a cut through them is shortened there, and
-/// only the points that it needs are output: that is what effort, bound and connection are for.
+/// The function improves no cut, so that `effort` and `maximum_average_distortion` have no effect. The connection matters
+/// only if the surface has handles or borders: a tree opens it before candidates are judged.
 ///
-/// \copydetails PkgSurfaceMeshCuttingQualityParameters
 /// \copydetails PkgSurfaceMeshCuttingConnectionParameters
 /// \copydetails PkgSurfaceMeshCuttingConstraintParameters
 /// \copydetails PkgSurfaceMeshCuttingFeatureParameters
 /// \copydetails PkgSurfaceMeshCuttingRunParameters
 ///
-/// \return what was found; the members about the cut are not set. Its `status` is `Status_code::OK` or an error of
-///         `greedy_cut()`. After an error, nothing is written to `out`.
+/// \return the numbers of candidates and feature points; the members about the cut are not set. Its `status` is
+///         `Status_code::OK` or an error of `greedy_cut()`. After an error, nothing is written to `out`.
 ///
 /// \sa `greedy_cut()`
 /// \sa `connect_points()`

@@ -32,11 +32,11 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// what `distortion_report()` found.
+/// is the result of `distortion_report()`.
 template <typename TriangleMesh>
 struct Distortion_report : public Distortion_measures
 {
-  Status<TriangleMesh> status; ///< whether the measures were computed, or why not.
+  Status<TriangleMesh> status; ///< how the call ended.
 
   /// `true` iff the measures were computed.
   explicit operator bool() const { return bool(status); }
@@ -44,9 +44,9 @@ struct Distortion_report : public Distortion_measures
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// measures how a map from a surface to the plane distorts, in the terms of the parameterization benchmark of Shay,
-/// Solomon and Stein \cgalCite{cgal:sss-dbmp-22}. The map may come from any method and have flips. Polygons count as the
-/// triangles that `unwrap()` divides them into.
+/// measures the distortion of a map from a surface to the plane, by the measures of the parameterization benchmark of Shay,
+/// Solomon and Stein \cgalCite{cgal:sss-dbmp-22}. The map may come from any method and have flips. A polygon counts as the
+/// triangles into which `unwrap()` divides it.
 ///
 /// The time is \f$ O(n + (b + k) \log b) \f$ for \f$ b \f$ edges on the borders of charts and \f$ k \f$ pairs of them
 /// with boxes that meet.
@@ -76,8 +76,8 @@ struct Distortion_report : public Distortion_measures
 ///
 /// \return the measures and a status, one of
 /// - `Status_code::OK`;
-/// - `Status_code::NOT_CERTIFIED`, with the faces that have an invalid UV or, where no edge is cut, are torn off their
-///   neighbors;
+/// - `Status_code::NOT_CERTIFIED`, with the faces that have an invalid UV, or whose UVs differ from those of a neighbor
+///   across an edge that is not cut;
 /// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
 ///   `Status_code::INVALID_POINT` for an unsupported mesh.
 ///

@@ -26,7 +26,7 @@ namespace Surface_mesh_cutting {
 ///
 /// finds a short cut that leaves only topological disks, which flatten with low isometric distortion.
 /// Detects feature points and connects them by a short tree \cgalCite{cgal:zycf-gccp-20}. The surface may have any
-/// number of handles, borders and components; borders are open already and never marked.
+/// number of handles, borders and components; border edges are already open and never marked.
 ///
 /// Solving sparse linear systems dominates the cost: a few dozen for the candidates, and one or two for each
 /// candidate that small windows do not decide. With \f$ n \f$ vertices, a system takes \f$ O(n^{1.5}) \f$ time
@@ -53,7 +53,7 @@ namespace Surface_mesh_cutting {
 /// \copydetails PkgSurfaceMeshCuttingConnectionParameters
 /// \copydetails PkgSurfaceMeshCuttingRunParameters
 ///
-/// \return what was found. Its `status` is one of
+/// \return the length of the cut, its feature points, and more. Its `status` is one of
 /// - `Status_code::OK`;
 /// - `Status_code::BOUND_NOT_REACHED` if no cut was found that keeps `maximum_average_distortion`, or, with
 ///   `Connection::EXACT`, if the budget does not suffice for a proof;

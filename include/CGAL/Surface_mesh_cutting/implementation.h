@@ -19,9 +19,9 @@
 /// \file
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// defines what does not depend on types of the program, once. In a program of several units that is not linked with the
-/// compiled library, all of them define the macro `CGAL_SEPARATE_IMPLEMENTATION`, and one includes this header: the others
-/// then compile several times as fast.
+/// defines all functions that do not depend on types of the program. In a program of several units that is not linked with
+/// the compiled library, all units define the macro `CGAL_SEPARATE_IMPLEMENTATION`, and one unit includes this header: the
+/// others then compile several times as fast.
 
 // In the compiled library, each paragraph is a unit.
 

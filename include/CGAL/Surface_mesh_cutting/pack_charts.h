@@ -39,18 +39,18 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// moves charts into the unit square, ready for a texture: turns and translates each one and scales all by the same
-/// factor, which it makes large. What counts is their outlines, not their boxes: small charts find places in the bays
-/// and holes of large ones.
+/// factor, which it makes large. It considers outlines, not boxes: small charts find places in the bays and holes of large
+/// ones.
 ///
 /// A chart is a part of the surface that is connected through edges not cut; it need not be a disk.
 ///
-/// The result is proven as `certify_packing()` does, with the coordinates that `halfedge_uv_map` holds; those may also
-/// be of type `float` or of an exact number type.
+/// The function proves the result as `certify_packing()` does, with the coordinates that `halfedge_uv_map` holds; they may
+/// also be of type `float` or of an exact number type.
 ///
-/// Charts are drawn on grids of 512 to 4096 cells along a side, in 4 to 16 turns. Let \f$ c \f$ be their number; then the
-/// time is linear in \f$ c \f$ times the number of rows that are already full: seconds for thousands of charts. Up to 1000
-/// charts then leave the grid and push each other apart; `effort` says how many tries that takes per chart: some seconds
-/// for a hundred charts with the default. Up to 100 charts are packed twice where `chart_rotation` is left to decide.
+/// Charts are drawn on grids of 512 to 4096 cells along a side, in 4 to 16 turns. The time is linear in the number of charts
+/// times the number of rows that are already full: seconds for thousands of charts. Up to 1000 charts then leave the grid and
+/// push each other apart; `effort` sets the number of tries per chart: some seconds for a hundred charts with the default. Up
+/// to 100 charts are packed twice with `Chart_rotation::AUTOMATIC`.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
@@ -86,12 +86,12 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`Chart_rotation::AUTOMATIC`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_bijective}
-///     \cgalParamDescription{whether no chart may overlap itself, either}
+///     \cgalParamDescription{whether to refuse charts that overlap themselves}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{effort}
-///     \cgalParamDescription{how long to look for a larger scale}
+///     \cgalParamDescription{how long to search for a larger scale}
 ///     \cgalParamType{`Surface_mesh_cutting::Effort`}
 ///     \cgalParamDefault{`Effort::DEFAULT`}
 ///     \cgalParamExtra{`Effort::FAST` makes a tenth of the tries, `Effort::BEST` four times as many.}
@@ -104,18 +104,18 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of progress, and can end the run: once a first packing is found, it is asked often,
-///                           before each step that takes long}
+///     \cgalParamDescription{follows the progress and can end the run once a first packing is found: it is called before
+///                           each long step}
 ///     \cgalParamType{a class model of `CuttingVisitor`}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
-///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///     \cgalParamExtra{It is copied; pass it by `std::ref` to keep it.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was found. Its `status` is one of
+/// \return the scale, the filled area and the number of charts. Its `status` is one of
 /// - `Status_code::OK`;
 /// - `Status_code::NOT_CERTIFIED`, with the faces concerned, if UVs are not finite, differ where no edge is cut, or a
-///   triangle is not counterclockwise, or, with `do_bijective`, triangles overlap; or if rounding spoils the result;
+///   triangle is not counterclockwise, or, with `do_bijective`, if triangles overlap; or if rounding spoils the result;
 /// - `Status_code::INFEASIBLE_CONSTRAINTS` if there are so many charts that their margins leave no room;
 /// - `Status_code::WRONG_PARAMETER`;
 /// - `Status_code::STOPPED` if the visitor ended the run; the charts are packed, but could be larger;

@@ -30,8 +30,8 @@ namespace Surface_mesh_cutting {
 /// computes edge weights that favor cuts along feature lines and principal directions.
 ///
 /// The weight of an edge is its length times a factor: `smallest_factor` where it runs in one of the two
-/// directions in which the surface bends most and least, along a pipe or straight around it; 1 where it runs
-/// halfway between them, and where the surface bends alike in all directions or hardly at all. The curvature
+/// directions in which the surface bends most and least, along a pipe or straight around it; 1 if it runs
+/// halfway between them, and where the surface bends equally in all directions or hardly at all. The curvature
 /// tensor is that of Cohen-Steiner and Morvan: around the ends of the edge, each edge contributes its dihedral
 /// angle times its length in its own direction. A surface that bends less than a sphere with its bounding box
 /// diagonal as radius counts as flat. The weight of a border edge is its length. The time is linear in the
@@ -46,7 +46,7 @@ namespace Surface_mesh_cutting {
 /// \param tmesh the surface
 /// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
-/// \param smallest_factor how little an edge in a principal direction counts, between 0 and 1
+/// \param smallest_factor the factor of an edge in a principal direction, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///

@@ -25,8 +25,8 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// cuts a surface as `greedy_cut()` does and flattens it without flips and with low isometric distortion.
-/// Exact predicates check the map with the coordinates that `halfedge_uv_map` holds, also if these are of type `float`
-/// or of an exact number type: where rounding to them spoils the map, it is repaired.
+/// Exact predicates check the map with the coordinates that `halfedge_uv_map` holds, also if they are of type `float`
+/// or of an exact number type. If rounding spoils the map, the function repairs it.
 ///
 /// The cost is that of `greedy_cut()` plus that of the final map: a few sparse linear systems of the size of
 /// the surface.
@@ -52,13 +52,12 @@ namespace Surface_mesh_cutting {
 ///
 /// \cgalNamedParamsBegin{Optional Named Parameters: Map}
 ///   \cgalParamNBegin{do_bijective}
-///     \cgalParamDescription{whether the map must also be injective up to contact: no two triangles overlap, be
-///                           they of the same chart or of different ones}
+///     \cgalParamDescription{whether the map must also be injective up to contact: no two triangles overlap, in the same
+///                           chart or in different ones}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{Where the plane has too little room, parts of a chart are glued elsewhere, slits let them turn
-///                     aside, and where these do not help, there are several charts, see \ref smc_bijective. With a
-///                     bound, this can take longer than all else.}
+///     \cgalParamExtra{If a chart lacks room in the plane, the method opens slits or divides the chart, see
+///                     \ref smc_bijective. With a bound, this can take most of the time.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \copydetails PkgSurfaceMeshCuttingQualityParameters
@@ -67,8 +66,8 @@ namespace Surface_mesh_cutting {
 /// \copydetails PkgSurfaceMeshCuttingConnectionParameters
 /// \copydetails PkgSurfaceMeshCuttingRunParameters
 ///
-/// \return what was found. Its `status` is one of those of `greedy_cut()`, or `Status_code::NOT_CUT_TO_DISKS` or
-///         `Status_code::NOT_CERTIFIED` if the result fails the exact check.
+/// \return the distortion, the length of the cut, and more. Its `status` is one of those of `greedy_cut()`, or
+///         `Status_code::NOT_CUT_TO_DISKS` or `Status_code::NOT_CERTIFIED` if the result fails the exact check.
 ///
 /// \sa `greedy_cut()`
 /// \sa `certify_unwrap()`

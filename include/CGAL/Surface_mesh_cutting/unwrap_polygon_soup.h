@@ -31,27 +31,27 @@ namespace Surface_mesh_cutting {
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// what `unwrap_polygon_soup()` computes besides the UVs.
+/// is the result of `unwrap_polygon_soup()`, besides the UVs.
 struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 {
-  /// what is not a plain surface, and was read as one.
+  /// the defects of the soup, and how they were read.
   std::vector<Interpretation> interpreted;
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
-/// unwraps whatever surface a polygon soup describes, as `unwrap()` does for meshes. Nothing is repaired: points, polygons
-/// and their order stay, and the surface is a reading of them.
+/// unwraps the surface that a polygon soup describes, as `unwrap()` does for meshes. The soup is never modified: points,
+/// polygons and their order stay, and the surface is a reading of them.
 /// - Polygons may have any number of corners, and need neither be convex nor quite flat. They are never cut.
-/// - Edges with two polygons connect these, edges with one are border. Of those with more, pairs of polygons stay
-///   connected, chosen so that borders get short and sheets continue; the others get a border there. A polygon is never
-///   connected with its own reverse.
+/// - An edge with two polygons connects them; an edge with one is border. At an edge with more polygons, pairs stay
+///   connected, chosen so that borders get short and sheets continue; the other polygons get a border there. A polygon is
+///   never connected with its own reverse.
 /// - A vertex whose polygons form several fans is as many vertices of the surface.
-/// - Where neighbors disagree about which side is up, as few polygons as possible are read backward. Their
-///   UVs are clockwise. Surfaces with only one side are opened.
+/// - If neighbors disagree about which side is up, as few polygons as possible are read backward. Their UVs are clockwise.
+///   Surfaces with only one side are opened.
 /// - Neighboring corners at the same vertex are one corner. A polygon may have a hole that is connected by a bridge, an edge
 ///   that it uses twice. Other polygons that visit a vertex more than once are divided into the loops between the visits.
-/// - Polygons without area, or with the vertices of a former polygon in the same cyclic order, are not part of the
+/// - Polygons without area, or with the vertices of an earlier polygon in the same cyclic order, are not part of the
 ///   surface. They get UVs of the place where they lie.
 /// - Points that no polygon uses may have any coordinates.
 ///
@@ -80,17 +80,17 @@ struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 ///     \cgalParamDescription{whether vertices at exactly the same point count as one}
 ///     \cgalParamType{Boolean}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{What comes from a format without indices needs it.}
+///     \cgalParamExtra{Soups from formats without indices, such as STL, need it.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{weld_tolerance}
-///     \cgalParamDescription{with `do_weld_points`, vertices within this share of the diagonal of the bounding box count as one,
-///                           too, also by way of others between them}
+///     \cgalParamDescription{with `do_weld_points`, vertices within this share of the bounding box diagonal also count as
+///                           one, as do chains of such vertices}
 ///     \cgalParamType{`double` from 0 to 0.01}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was found; components, genus and borders are those of the surface. Its `status` is one of those of
+/// \return the result of `unwrap()` for the surface, and the defects of the soup. Its `status` is one of those of
 ///         `unwrap()`; it is `Status_code::WRONG_PARAMETER` for polygons that refer to points which do not exist, and
 ///         `Status_code::EMPTY_MESH` if no polygon is part of a surface.
 ///

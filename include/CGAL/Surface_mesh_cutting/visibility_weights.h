@@ -85,14 +85,14 @@ inline Indexed_status check_view(const View& view)
 ///
 /// The weight of an edge is its length times a factor: `smallest_factor` where the surface fills the
 /// whole view from the middle of the edge, 1 where it blocks none of it, and in between linear in the
-/// free part of the view. The smallest factor is thus what a hidden cut costs against one in full view: the smaller, the
-/// longer cuts become to stay hidden. Random rays sample the view, on the side of the surface that its normals point to;
-/// closed parts are looked at from outside even if they are oriented inward.
+/// free part of the view. The smaller `smallest_factor`, the longer cuts become to stay hidden. Random rays sample the view
+/// on the side of the surface that its normals point to; closed parts are viewed from outside even if they are oriented
+/// inward.
 ///
 /// By default, the view is the hemisphere around the normal of the edge, weighted by the cosine of the
-/// angle with it. Two named parameters give other views: `up_direction` the same hemisphere for all edges, like a dome
-/// of sky, of which what lies on the underside sees little; `occlusion_radius` only what is near (ambient occlusion), so
-/// that grooves and folds count, but not that a large part of the surface is opposite.
+/// angle with it. Two named parameters give other views. With `up_direction`, all edges have the same hemisphere, like a
+/// dome of sky, of which the underside of the surface sees little. With `occlusion_radius`, only nearby parts of the surface
+/// block the view (ambient occlusion), so that grooves and folds count, but not distant parts opposite.
 ///
 /// With \f$ n \f$ edges and \f$ k \f$ rays, the time is \f$ O(k\,n \log n) \f$ on most surfaces.
 ///
@@ -108,19 +108,19 @@ inline Indexed_status check_view(const View& view)
 /// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
 /// \param number_of_rays the number of rays per edge, at least one
-/// \param smallest_factor how little a hidden edge counts, between 0 and 1
+/// \param smallest_factor the factor of a hidden edge, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{up_direction}
-///     \cgalParamDescription{the axis of the hemisphere from which all edges are looked at; not zero}
+///     \cgalParamDescription{the axis of the hemisphere from which all edges are viewed; not zero}
 ///     \cgalParamType{a vector type with the members `x()`, `y()` and `z()`, such as `%Vector_3`}
 ///     \cgalParamDefault{each edge has its normal as axis}
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{use_uniform_directions}
-///     \cgalParamDescription{whether all directions of the hemisphere count alike, and not by the cosine of their angle
+///     \cgalParamDescription{whether all directions of the hemisphere count equally, and not by the cosine of their angle
 ///                           with its axis}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
@@ -140,11 +140,11 @@ inline Indexed_status check_view(const View& view)
 ///   \cgalParamNEnd
 ///
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{can end the run: it is asked every few milliseconds, but not while the
+///     \cgalParamDescription{can end the run: it is called every few milliseconds, but not while the
 ///                           search structure is built}
 ///     \cgalParamType{a class model of `CuttingVisitor`, of which only `go_further()` is called}
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
-///     \cgalParamExtra{pass it by `std::ref` if it is not to be copied}
+///     \cgalParamExtra{It is copied; pass it by `std::ref` to keep it.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \copydetails PkgSurfaceMeshCuttingWeightParameters

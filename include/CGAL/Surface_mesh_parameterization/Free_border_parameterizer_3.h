@@ -49,7 +49,7 @@ struct Flip_free_method
 ///
 /// The class `Free_border_parameterizer_3` is the base of the parameterizers that minimize an energy
 /// of the triangles over maps with a free border and without flipped triangles. It reads the
-/// surface, reports what keeps it from being mapped, and proves what the map promises.
+/// surface, reports why a surface cannot be mapped, and proves the promised properties of the map.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
@@ -80,9 +80,9 @@ public:
 
   /// Constructor
   ///
-  /// \param solver solves all sparse systems. If it has the interface of \eigen, each system is solved by a copy of
-  ///        it; if it is a model of `SparseLinearAlgebraWithFactorTraits_d`, by a new object of its type, whose settings
-  ///        are those of the default constructor. The symbolic analysis is kept while the values of a matrix change.
+  /// \param solver solves all sparse systems. If it has the interface of \eigen, a copy of it solves each system; if it
+  ///        is a model of `SparseLinearAlgebraWithFactorTraits_d`, a default-constructed object of its type does. The
+  ///        symbolic analysis is reused while only the values of a matrix change.
   ///        The unknowns come in an order that keeps the factors sparse.
   explicit Free_border_parameterizer_3(const Solver_traits& solver = Solver_traits())
     : m_linear_solvers(internal::make_solvers(solver))
@@ -107,7 +107,7 @@ public:
   /// \param vimap unique indices of the vertices.
   /// \param vpmap receives `true` for each vertex of the component that was given a position.
   ///
-  /// \return `OK`, or what is wrong with the component, one of
+  /// \return `OK` or an error, one of
   /// - `ERROR_EMPTY_MESH`: `bhd` is null or has no face at its edge;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: `bhd` is not on a border, the component has handles, or
