@@ -1,7 +1,7 @@
 #ifndef STEINER_TREE_CHECKS_H
 #define STEINER_TREE_CHECKS_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // projection of Hessians against Eigen's eigenvalues; random and nearly degenerate triangles.
 
 #undef NDEBUG
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <CGAL/Random.h>
