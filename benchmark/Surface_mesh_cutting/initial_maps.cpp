@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
 #include <CGAL/Surface_mesh_cutting/internal/detection/first_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -3,7 +3,7 @@
 #ifndef SURFACE_MESH_PARAMETERIZATION_BENCHMARK_LAYOUT_H
 #define SURFACE_MESH_PARAMETERIZATION_BENCHMARK_LAYOUT_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
 #include <fstream>
 #include <sstream>

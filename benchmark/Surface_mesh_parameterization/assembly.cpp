@@ -4,8 +4,8 @@
 
 #include "Layout.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 

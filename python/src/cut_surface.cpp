@@ -11,7 +11,7 @@
 #include "pack.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <algorithm>
 #include <chrono>

@@ -13,7 +13,7 @@
 #include "Run_monitor.h"
 #include "array_views.h"
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <cstdint>
 #include <vector>

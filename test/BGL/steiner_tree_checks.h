@@ -3,7 +3,7 @@
 
 #include "check.h"
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
 #include <boost/graph/adjacency_list.hpp>

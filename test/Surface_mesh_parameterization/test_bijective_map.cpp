@@ -9,8 +9,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/open_injectively.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/improve_stars.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

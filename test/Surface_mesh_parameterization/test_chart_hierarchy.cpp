@@ -4,7 +4,7 @@
 #include "../BGL/check.h"
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 
 #include <iostream>

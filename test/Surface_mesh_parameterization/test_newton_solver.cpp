@@ -5,10 +5,10 @@
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <cmath>
 #include <iostream>

@@ -4,9 +4,9 @@
 #include "../BGL/check.h"
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 

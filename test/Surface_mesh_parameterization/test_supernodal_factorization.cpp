@@ -4,9 +4,9 @@
 #include "../BGL/check.h"
 #include "charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Direct_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 
 #include <CGAL/Random.h>

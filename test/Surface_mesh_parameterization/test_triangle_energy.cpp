@@ -3,7 +3,6 @@
 
 #include "../BGL/check.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <CGAL/Random.h>

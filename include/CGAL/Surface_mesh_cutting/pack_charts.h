@@ -22,7 +22,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/read_packing_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
 

@@ -24,8 +24,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
-#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
-#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/tags.h>
 

@@ -14,10 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 

@@ -15,11 +15,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>

@@ -21,6 +21,8 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 using CGAL::internal::Graph_kernel::Execution;
+using CGAL::internal::Graph_kernel::Go_further;
+using CGAL::internal::Graph_kernel::always_go_further;
 using CGAL::internal::Graph_kernel::block_size;
 using CGAL::internal::Graph_kernel::execute;
 using CGAL::internal::Graph_kernel::execute_blocks;

@@ -14,13 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
-
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -34,9 +32,6 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-
-using CGAL::internal::Graph_kernel::Go_further;
-using CGAL::internal::Graph_kernel::always_go_further;
 
 // Spectral conformal parameterization [Mullen et al. 2008]: among all maps whose border has unit
 // mass, the one of least conformal energy, Dirichlet energy minus area. With the place of a vertex as

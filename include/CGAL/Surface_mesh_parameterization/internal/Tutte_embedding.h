@@ -15,14 +15,18 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -110,6 +114,45 @@ inline bool tutte_embedding(const Corner_table& chart, const std::vector<std::ve
     if(unknowns[v] >= 0)
       uv[v] = Eigen::Vector2d(solution[0][unknowns[v]], solution[1][unknowns[v]]);
   return std::all_of(uv.begin(), uv.end(), [](const Eigen::Vector2d& p) { return is_finite(p); });
+}
+
+// Tutte's embedding of a chart whose longest border loop becomes a circle, scaled to the surface's
+// area. `points` holds the position of each chart vertex on the surface. False if rounding left a
+// triangle that is not positive, or so small against the whole that its coordinates have lost their
+// digits, or if the chart has no border of at least three edges.
+inline bool tutte_map(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, double area,
+                      const Solvers& linear_solvers, std::vector<Eigen::Vector2d>& uv)
+{
+  const std::vector<std::vector<int> > loops = chart.border_loops();
+  std::vector<double> lengths, outer_lengths;
+  std::size_t outer = 0;
+  double longest = -1;
+  for(std::size_t l = 0; l < loops.size(); ++l)
+  {
+    double sum = 0;
+    lengths.clear();
+    for(int h : loops[l])
+    {
+      lengths.push_back((points[chart.target(h)] - points[chart.source(h)]).norm());
+      sum += lengths.back();
+    }
+    if(loops[l].size() >= 3 && sum > longest)
+    {
+      longest = sum;
+      outer = l;
+      outer_lengths = lengths;
+    }
+  }
+  if(longest < 0)
+    return false;
+  uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
+  map_border_to_circle(chart, loops[outer], outer_lengths, uv);
+  if(!tutte_embedding(chart, loops, outer, linear_solvers, uv))
+    return false;
+  scale_to_area(chart.triangles(), area, uv);
+  constexpr double smallest_share = 1e-28;
+  return smallest_area(chart.triangles(), uv) > smallest_share * area &&
+         count_flips(chart.triangles(), uv) == 0;
 }
 
 } // namespace internal

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Topology.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <algorithm>
 #include <queue>

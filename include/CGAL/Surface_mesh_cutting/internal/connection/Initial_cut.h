@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <algorithm>
 #include <vector>

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/connection/Key_paths.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/Cheapest_opening.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <algorithm>

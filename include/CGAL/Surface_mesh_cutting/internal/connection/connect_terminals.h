@@ -21,8 +21,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <CGAL/assertions.h>

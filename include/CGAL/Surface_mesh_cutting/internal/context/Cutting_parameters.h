@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <algorithm>
 #include <cstddef>

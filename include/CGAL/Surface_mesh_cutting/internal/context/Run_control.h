@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <algorithm>
 #include <atomic>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/detection/candidates.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <algorithm>
 #include <vector>

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <CGAL/number_utils.h>
 

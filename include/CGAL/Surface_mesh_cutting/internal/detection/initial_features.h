@@ -19,7 +19,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
 #include <algorithm>

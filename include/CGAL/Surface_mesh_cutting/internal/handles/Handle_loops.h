@@ -24,7 +24,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/handles/Short_loop_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Tree_cotree.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <CGAL/assertions.h>
 

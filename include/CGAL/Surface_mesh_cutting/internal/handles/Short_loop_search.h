@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/handles/Growing_opening.h>
 #include <CGAL/Surface_mesh_cutting/internal/handles/Homology_class.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 
 #include <algorithm>
 #include <functional>

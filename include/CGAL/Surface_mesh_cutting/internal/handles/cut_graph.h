@@ -18,8 +18,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Contracted_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/spanning_forest.h>
 
 #include <algorithm>

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

@@ -20,9 +20,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <algorithm>
 #include <cmath>

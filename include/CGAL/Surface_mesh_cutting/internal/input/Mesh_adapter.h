@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -18,10 +18,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <Eigen/Core>
 

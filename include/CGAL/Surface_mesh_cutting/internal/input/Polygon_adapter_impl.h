@@ -16,11 +16,10 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -23,7 +23,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/begin_triangles_with_last_corner.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/coincident_vertices_warning.h>
-#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <algorithm>
 #include <limits>

@@ -25,7 +25,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <algorithm>
 #include <cmath>

@@ -19,8 +19,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <Eigen/Core>
 

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/remove_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 
 #include <Eigen/Core>
 

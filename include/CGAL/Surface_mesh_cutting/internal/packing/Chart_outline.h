@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/Crowding_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packing_random.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <CGAL/number_utils.h>
 

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Rigid_chart.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <Eigen/Core>
 

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/simplified_outline.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/Free_cells.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
 #include <algorithm>
 #include <cmath>

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <Eigen/SparseCore>
 

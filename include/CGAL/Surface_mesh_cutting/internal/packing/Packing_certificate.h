@@ -17,16 +17,16 @@
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packing_margin.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <Eigen/Core>
 

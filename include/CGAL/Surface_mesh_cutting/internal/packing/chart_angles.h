@@ -18,7 +18,7 @@
 
 #include <CGAL/number_utils.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <cmath>
 #include <complex>

@@ -22,7 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <Eigen/Core>
 

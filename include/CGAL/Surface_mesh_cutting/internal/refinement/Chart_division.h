@@ -22,10 +22,10 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/corner_uvs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <Eigen/Core>
 

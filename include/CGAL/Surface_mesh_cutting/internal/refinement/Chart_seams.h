@@ -20,7 +20,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/spanning_forest.h>
 
 #include <algorithm>

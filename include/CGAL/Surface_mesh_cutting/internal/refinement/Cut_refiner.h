@@ -24,7 +24,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Slit_search.h>
 #include <CGAL/Surface_mesh_cutting/internal/refinement/Working_cut.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <algorithm>
 #include <limits>

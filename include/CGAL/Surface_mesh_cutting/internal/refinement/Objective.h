@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/local_maximizers.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <algorithm>
 #include <cmath>

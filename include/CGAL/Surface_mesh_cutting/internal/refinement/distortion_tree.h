@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/connection/connect_terminals.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <algorithm>
 #include <vector>

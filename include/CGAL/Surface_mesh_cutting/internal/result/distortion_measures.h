@@ -17,9 +17,9 @@
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/number_utils.h>
 

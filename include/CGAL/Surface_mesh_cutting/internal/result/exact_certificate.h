@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <Eigen/Core>
 

@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -24,8 +24,8 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/coarse_slits.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <algorithm>
 #include <cstddef>

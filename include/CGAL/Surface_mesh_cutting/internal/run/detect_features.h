@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/detection/coarse_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/open_handles.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <algorithm>
 #include <utility>

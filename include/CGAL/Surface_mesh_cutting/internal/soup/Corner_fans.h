@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <vector>
 

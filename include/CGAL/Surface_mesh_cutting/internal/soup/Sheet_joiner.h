@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/continuing_sides.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/former_duplicates.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <algorithm>
 #include <cstddef>

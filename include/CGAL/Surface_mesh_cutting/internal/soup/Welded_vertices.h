@@ -16,9 +16,9 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <boost/functional/hash.hpp>
 

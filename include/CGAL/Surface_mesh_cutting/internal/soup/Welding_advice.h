@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Welded_vertices.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Disjoint_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <algorithm>
 #include <cstddef>

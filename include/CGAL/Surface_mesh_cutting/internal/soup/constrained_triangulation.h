@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Least_triangulation.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Marked_triangulation.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Unique_hash_map.h>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {

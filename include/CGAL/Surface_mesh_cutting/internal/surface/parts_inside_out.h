@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
-#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <cmath>
 #include <vector>

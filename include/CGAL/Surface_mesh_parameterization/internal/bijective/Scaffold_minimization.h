@@ -15,10 +15,10 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 

@@ -15,14 +15,14 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/improve_stars.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
 

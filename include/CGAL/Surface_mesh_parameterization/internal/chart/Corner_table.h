@@ -16,6 +16,8 @@
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -240,6 +242,25 @@ inline Buckets<int> corners_at_vertices(const std::vector<Triangle>& triangles, 
             for(int c = 0; c < 3 * int(triangles.size()); ++c)
               visit(triangles[c / 3][c % 3], c);
           }};
+}
+
+// Of each halfedge, where its source lies: what remains when a chart is cut otherwise.
+inline std::vector<Eigen::Vector2d> corner_uvs(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
+{
+  std::vector<Eigen::Vector2d> corners;
+  corners.reserve(chart.opposites().size());
+  for(int h = 0; h < int(chart.opposites().size()); ++h)
+    corners.push_back(uv[chart.source(h)]);
+  return corners;
+}
+
+// The UVs of the vertices; another check says whether corners disagree.
+inline std::vector<Eigen::Vector2d> vertex_uvs(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corners)
+{
+  std::vector<Eigen::Vector2d> uv(chart.number_of_vertices(), Eigen::Vector2d::Zero());
+  for(int h = 0; h < int(corners.size()); ++h)
+    uv[chart.source(h)] = corners[h];
+  return uv;
 }
 
 } // namespace internal

@@ -15,10 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
-#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
-#include <CGAL/Surface_mesh_parameterization/internal/power_of_two_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/to_vector.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
 #include <CGAL/boost/graph/helpers.h>

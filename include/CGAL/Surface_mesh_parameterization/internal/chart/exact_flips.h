@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/is_finite.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -15,10 +15,10 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
-#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>

@@ -16,13 +16,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -109,6 +110,54 @@ inline std::vector<Rest_shape> rest_shapes(const std::vector<Triangle>& triangle
     }
   });
   return shapes;
+}
+
+inline double triangle_area(const Triangle& t, const std::vector<Eigen::Vector2d>& uv)
+{
+  return 0.5 * doubled_area(uv[t[0]], uv[t[1]], uv[t[2]]);
+}
+
+inline double chart_area(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv)
+{
+  double area = 0;
+  for(const Triangle& t : triangles)
+    area += triangle_area(t, uv);
+  return area;
+}
+
+inline double smallest_area(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv)
+{
+  double area = std::numeric_limits<double>::infinity();
+  for(const Triangle& t : triangles)
+    area = (std::min)(area, triangle_area(t, uv));
+  return area;
+}
+
+inline double surface_area(const std::vector<Rest_shape>& shapes)
+{
+  double area = 0;
+  for(const Rest_shape& s : shapes)
+    area += s.area;
+  return area;
+}
+
+// Each triangle's share of the area.
+inline std::vector<double> area_weights(const std::vector<Rest_shape>& shapes)
+{
+  const double total = surface_area(shapes);
+  std::vector<double> weights;
+  weights.reserve(shapes.size());
+  for(const Rest_shape& s : shapes)
+    weights.push_back(s.area / total);
+  return weights;
+}
+
+inline void scale_to_area(const std::vector<Triangle>& triangles, double area,
+                          std::vector<Eigen::Vector2d>& uv)
+{
+  const double factor = std::sqrt(area / chart_area(triangles, uv));
+  for(Eigen::Vector2d& u : uv)
+    u *= factor;
 }
 
 } // namespace internal

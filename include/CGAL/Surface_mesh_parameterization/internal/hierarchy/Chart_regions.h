@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapsible_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
 

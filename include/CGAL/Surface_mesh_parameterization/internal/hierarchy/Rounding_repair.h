@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 

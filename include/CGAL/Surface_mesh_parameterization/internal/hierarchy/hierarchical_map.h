@@ -14,15 +14,17 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/areas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_hierarchy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/initial_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -114,6 +116,20 @@ Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eig
   { return count_flips(chart.triangles(), map, nullptr, linear_solvers.execution) == 0; };
   constexpr int coarsest_size = 250;
   return map_by_stages<Energy>(chart, points, false, coarsest_size, linear_solvers, optimize, is_valid, uv);
+}
+
+// Makes a map with a few flipped triangles flip-free, by progressive embedding [SJZP19]: vertices
+// around the flips are collapsed and put back, each where it is as conformal as possible. `points`
+// holds the position of each chart vertex on the surface. False if flips remain, or would take more
+// collapses; then `uv` is not valid. About linear in the size of the chart.
+inline bool remove_flips(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points,
+                         std::vector<Eigen::Vector2d>& uv,
+                         int maximum_number_of_collapses = (std::numeric_limits<int>::max)())
+{
+  Chart_hierarchy hierarchy(chart, points);
+  return hierarchy.collapse_flips(uv, maximum_number_of_collapses) &&
+         hierarchy.refine_to<MIPS_energy>(chart.number_of_vertices(), uv) &&
+         count_flips(chart.triangles(), uv) == 0;
 }
 
 } // namespace internal

@@ -16,8 +16,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
-
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -28,9 +26,6 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-
-using CGAL::internal::Graph_kernel::Go_further;
-using CGAL::internal::Graph_kernel::always_go_further;
 
 // A part of a matrix in memory.
 using Dense_block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<> >;

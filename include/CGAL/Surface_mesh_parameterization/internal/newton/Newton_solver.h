@@ -14,11 +14,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Star_relaxation.h>
-
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
 
 #include <Eigen/Core>
 
@@ -31,9 +30,6 @@
 namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
-
-using CGAL::internal::Graph_kernel::Go_further;
-using CGAL::internal::Graph_kernel::always_go_further;
 
 // SINGULAR: factorization failed, map valid. FAILED: map invalid.
 enum class Newton_outcome { CONVERGED, STOPPED, ITERATION_LIMIT, STALLED, SINGULAR, FAILED };

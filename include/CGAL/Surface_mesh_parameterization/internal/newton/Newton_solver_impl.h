@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/fill_reducing_order.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Triangle_groups.h>
 
 #include <Eigen/Core>

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <Eigen/Core>
 

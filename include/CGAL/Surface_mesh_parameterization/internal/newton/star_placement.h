@@ -14,12 +14,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/cross_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
 

@@ -12,6 +12,9 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_CSR_GRAPH_H
 #define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_CSR_GRAPH_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -91,6 +94,18 @@ struct Csr_graph
     return result;
   }
 };
+
+// whether the vertices are connected by edges for which `uses(edge)` is true
+template <typename Uses>
+bool are_connected(const Csr_graph& graph, const std::vector<int>& vertices, const Uses& uses)
+{
+  Disjoint_sets components(graph.number_of_vertices());
+  for(int e = 0; e < graph.number_of_edges(); ++e)
+    if(uses(e))
+      components.unite(graph.edges[e].source, graph.edges[e].target);
+  return std::all_of(vertices.begin(), vertices.end(),
+                     [&](int v) { return components.find(v) == components.find(vertices.front()); });
+}
 
 } // namespace Graph_kernel
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <functional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -127,6 +128,33 @@ T reduce_blocks(Execution execution, int size, T value, const Function& f, const
     value = reduce(std::move(value), part);
   return value;
 }
+
+// Asks whoever started a computation whether to go on; false ends it soon. The only way to stop what takes long,
+// in all layers.
+using Go_further = std::function<bool()>;
+
+inline bool always_go_further() { return true; }
+
+// Asks whether to go on, for loops with short steps: only once in many of them. Once refused, always refused.
+class Patience
+{
+  const Go_further& m_go_further;
+  unsigned int m_number_of_steps = 0;
+  bool m_is_over = false;
+
+public:
+  explicit Patience(const Go_further& go_further) : m_go_further(go_further) {}
+
+  bool is_over() const { return m_is_over; }
+
+  // to be called at each step
+  bool lasts()
+  {
+    if(++m_number_of_steps % 1024 == 0) // well below a millisecond
+      m_is_over = m_is_over || !m_go_further();
+    return !m_is_over;
+  }
+};
 
 } // namespace Graph_kernel
 } // namespace internal

@@ -13,7 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SPANNING_FOREST_H
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_unique.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>

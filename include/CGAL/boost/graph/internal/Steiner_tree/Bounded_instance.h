@@ -12,11 +12,11 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Instance.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_program.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +154,7 @@ private:
     for(int e = 0; e < graph().number_of_edges(); ++e)
       is_removed[e] = fixed + bounds[e] > cut();
     const auto is_left = [&](int e) { return !is_removed[e]; };
-    if(m_lower_bound > cut() || !Graph_kernel::are_connected(graph(), terminals(), is_left))
+    if(m_lower_bound > cut() || !are_connected(graph(), terminals(), is_left))
       m_is_optimal = true;
     else if(is_worthwhile(is_removed))
       remove(is_removed, go_further);

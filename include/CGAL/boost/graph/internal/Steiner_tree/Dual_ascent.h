@@ -14,10 +14,7 @@
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Index_set.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,11 +26,6 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
-
-using Graph_kernel::Csr_graph;
-using Graph_kernel::Go_further;
-using Graph_kernel::Index_set;
-using Graph_kernel::Shortest_paths;
 
 // A feasible dual solution of the directed cut formulation (Wong 1984). Every Steiner tree, directed away from a
 // root terminal, enters each set W of vertices that holds a terminal but not the root. The sets get values y_W >= 0
@@ -85,7 +77,7 @@ private:
       m_last[v] = int(m_entries.size()) - 1;
     }
 
-    Graph_kernel::Buckets<Share> of_vertices(const std::vector<Group>& groups) const
+    Buckets<Share> of_vertices(const std::vector<Group>& groups) const
     {
       return {int(m_last.size()), [&](const auto& visit) {
         for(const Entry& e : m_entries)
@@ -101,7 +93,7 @@ private:
   std::vector<double> m_entering; // for arc i in the row of v: reduced weight of the arc that enters v along its edge
   std::vector<int> m_opposite;
   std::vector<Group> m_groups;
-  Graph_kernel::Buckets<Share> m_shares; // of the vertices
+  Buckets<Share> m_shares; // of the vertices
   std::vector<double> m_from_root, m_to_terminal;
 
 public:
@@ -110,17 +102,14 @@ public:
   // `use(*this)` is called with the reduced weights while the distances are still searched.
   template <typename Use>
   Dual_ascent(const Csr_graph& graph, const std::vector<int>& terminals, int root,
-              Graph_kernel::Execution execution, const Go_further& go_further, const Use& use)
-    : m_graph(&graph)
-    , m_terminals(terminals)
-    , m_root(root)
-    , m_opposite(graph.opposite_arcs())
+              Execution execution, const Go_further& go_further, const Use& use)
+    : m_graph(&graph), m_terminals(terminals), m_root(root), m_opposite(graph.opposite_arcs())
   {
     m_entering.reserve(graph.arcs.size());
     for(const Csr_graph::Arc& arc : graph.arcs)
       m_entering.push_back(arc.weight);
     ascend(go_further);
-    Graph_kernel::execute(execution, 3, [this, &use](int i) {
+    execute(execution, 3, [this, &use](int i) {
       if(i == 0)
         use(*this);
       else if(i == 1)

@@ -12,7 +12,6 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_INSTANCE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_INSTANCE_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
@@ -100,11 +99,9 @@ class Degree_reduction
 public:
   Degree_reduction(const Instance& instance, const std::vector<char>& is_removed,
                    const Go_further& go_further)
-    : m_instance(instance)
-    , m_incident(instance.graph().number_of_vertices())
-    , m_is_terminal(mark(instance.graph().number_of_vertices(), instance.terminals()))
-    , m_is_queued(instance.graph().number_of_vertices(), 1)
-    , m_number_of_terminals(int(instance.terminals().size()))
+    : m_instance(instance), m_incident(instance.graph().number_of_vertices()),
+      m_is_terminal(mark(instance.graph().number_of_vertices(), instance.terminals())),
+      m_is_queued(instance.graph().number_of_vertices(), 1), m_number_of_terminals(int(instance.terminals().size()))
   {
     const Csr_graph& graph = instance.graph();
     for(int e = 0; e < graph.number_of_edges(); ++e)

@@ -13,10 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_NEAR_POINTS_H
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/sort_by_key.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Bottlenecks.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
 #include <algorithm>
@@ -29,7 +26,58 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-using Graph_kernel::Go_further;
+// The longest links of the paths in a tree. Kruskal's algorithm puts its points into a row: sets that it unites become
+// neighbors there, with the link between them. The longest link on the path between two points is the longest one
+// between their positions in the row.
+class Bottlenecks
+{
+  std::vector<int> m_positions;
+  std::vector<std::vector<double>> m_longest; // [i][j]: of the 2^i links from the j-th on
+
+public:
+  // `links` in the order of their weights; O(k log k)
+  Bottlenecks(int number_of_points, const std::vector<Edge>& links)
+    : m_positions(number_of_points), m_longest(1)
+  {
+    Disjoint_sets sets(number_of_points);
+    std::vector<int> first(number_of_points), last(number_of_points), next(number_of_points, -1);
+    std::vector<double> weights(number_of_points, 0.); // of the links to the next ones
+    for(int p = 0; p < number_of_points; ++p)
+      first[p] = last[p] = p;
+    for(const Edge& link : links) {
+      const int a = sets.find(link.source), b = sets.find(link.target);
+      const int head = first[a], end = last[b];
+      weights[last[a]] = link.weight;
+      next[last[a]] = first[b];
+      sets.unite(a, b);
+      first[sets.find(a)] = head;
+      last[sets.find(a)] = end;
+    }
+    int position = 0;
+    for(int p = first[sets.find(0)]; p >= 0; p = next[p]) {
+      m_positions[p] = position++;
+      m_longest[0].push_back(weights[p]);
+    }
+    for(std::size_t size = 2; size <= m_longest[0].size(); size *= 2) {
+      const std::vector<double>& halves = m_longest.back();
+      std::vector<double> longest(halves.size() - size / 2);
+      for(std::size_t j = 0; j < longest.size(); ++j)
+        longest[j] = (std::max)(halves[j], halves[j + size / 2]);
+      m_longest.push_back(std::move(longest));
+    }
+  }
+
+  int position(int point) const { return m_positions[point]; }
+
+  // between different positions, the lower one first
+  double between(int i, int j) const
+  {
+    int level = 0;
+    while((2 << level) <= j - i)
+      ++level;
+    return (std::max)(m_longest[level][i], m_longest[level][j - (1 << level)]);
+  }
+};
 
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, as `Key_points`, for so many
 // of them that distances from each to all vertices would take too long. What a point is worth depends on points no
@@ -71,7 +119,7 @@ class Near_points
   std::vector<Edge> m_links; // between points, in the order of their weights
   double m_length = 0.;
   Shortest_paths m_paths;
-  Graph_kernel::Buckets<std::pair<int, double>> m_near; // the points around each vertex, with distances
+  Buckets<std::pair<int, double>> m_near; // the points around each vertex, with distances
 
 public:
   Near_points(const Csr_graph& graph, const std::vector<int>& terminals, const std::vector<int>& auxiliary_points)
@@ -110,7 +158,7 @@ private:
       if(!remove_idle_points())
         break;
     }
-    Graph_kernel::sort_by_key(m_links, [](const Edge& link) { return link.weight; });
+    sort_by_key(m_links, [](const Edge& link) { return link.weight; });
     m_length = 0.;
     for(const Edge& link : m_links)
       m_length += link.weight;
@@ -147,7 +195,7 @@ private:
     for(std::size_t p = 0; p < m_points.size(); ++p)
       if(m_balls[p].radius != radii[p])
         grow_ball(int(p), radii[p]);
-    m_near = Graph_kernel::Buckets<std::pair<int, double>>(m_graph->number_of_vertices(), [&](const auto& visit) {
+    m_near = Buckets<std::pair<int, double>>(m_graph->number_of_vertices(), [&](const auto& visit) {
       for(std::size_t p = 0; p < m_points.size(); ++p)
         for(const Near_vertex& near : m_balls[p].vertices)
           visit(near.vertex, {int(p), near.distance});
@@ -204,7 +252,7 @@ private:
         if(insertion.gain > minimum_decrease)
           result.push_back(insertion);
       }
-    Graph_kernel::sort_by_key(result, [](const Insertion& insertion) { return -insertion.gain; });
+    sort_by_key(result, [](const Insertion& insertion) { return -insertion.gain; });
     return result;
   }
 

@@ -12,12 +12,9 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Patience.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Set_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Tree_states.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,8 +27,6 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
-
-using Graph_kernel::Execution;
 
 // The program of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
 // d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging
@@ -105,14 +100,9 @@ class Pruned_dynamic_program
 public:
   Pruned_dynamic_program(const Csr_graph& graph, const std::vector<int>& terminals,
                            const Completion_bound<Words>& bound, double cut, std::size_t maximum_number_of_states)
-    : m_graph(graph)
-    , m_terminals(terminals)
-    , m_bound(bound)
-    , m_all(Set::all(int(terminals.size())))
-    , m_cut(cut)
-    , m_remaining_states(maximum_number_of_states)
-    , m_tables_by_size(terminals.size() + 1)
-    , m_labels(graph.number_of_vertices())
+    : m_graph(graph), m_terminals(terminals), m_bound(bound), m_all(Set::all(int(terminals.size()))), m_cut(cut),
+      m_remaining_states(maximum_number_of_states), m_tables_by_size(terminals.size() + 1),
+      m_labels(graph.number_of_vertices())
   {}
 
   // False if it was stopped by the budget or by `go_further`. Sets of one size do not depend on each other: a batch of
@@ -173,7 +163,7 @@ private:
 
   void send(Execution execution, const std::vector<int>& batch, Searches& searches)
   {
-    Graph_kernel::execute(execution, int(searches.size()), [&](int s) {
+    execute(execution, int(searches.size()), [&](int s) {
       for(std::size_t i = s; i < batch.size(); i += searches.size()) {
         if(!searches[s])
           searches[s].reset(new Search(m_graph, m_terminals, m_bound));

@@ -12,7 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEPARATOR_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEPARATOR_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,8 +23,6 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
-
-using Graph_kernel::Csr_graph;
 
 // Finds the largest number a such that given terminals are connected among the vertices v with length(v) >= a. Few
 // vertices, the touched ones, have a finite length, and time should depend on their number rather than on the
@@ -42,10 +40,8 @@ class Separator
 
 public:
   explicit Separator(const Csr_graph& graph)
-    : m_graph(graph)
-    , m_parents(graph.number_of_vertices(), -1)
-    , m_pending(graph.number_of_vertices(), 0)
-    , m_holds_terminal(graph.number_of_vertices(), 0)
+    : m_graph(graph), m_parents(graph.number_of_vertices(), -1), m_pending(graph.number_of_vertices(), 0),
+      m_holds_terminal(graph.number_of_vertices(), 0)
   {}
 
   // infinity if the terminals are connected without the touched vertices; these are sorted by decreasing length

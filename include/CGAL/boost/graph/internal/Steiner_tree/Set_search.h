@@ -12,10 +12,9 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SET_SEARCH_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SET_SEARCH_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Separator.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Tree_states.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
 #include <limits>
@@ -25,7 +24,48 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-using Graph_kernel::Distance_heap;
+// The states of `Pruned_dynamic_program` for one set of terminals. They do not depend on how sets are held, so that
+// they are compiled once for sets of any width.
+class Tree_states
+{
+public:
+  // How a state was made: by the edge to its predecessor (>= 0), from its terminal, or by the merge of two sets
+  // at the same vertex (-2 - index of the merge).
+  static constexpr int from_terminal = -1;
+
+  struct State
+  {
+    int vertex;
+    int origin;
+    double length;
+  };
+
+  struct Merge
+  {
+    int first;
+    int second;
+  };
+
+  // of the merges of the present set with another one
+  struct Target
+  {
+    int table = -1;
+    int merge = -1;
+  };
+
+  static void sort_by_vertex(std::vector<State>& states)
+  {
+    std::sort(states.begin(), states.end(), [](const State& a, const State& b) { return a.vertex < b.vertex; });
+  }
+
+  // null if there is none
+  static const State* find(const std::vector<State>& states, int vertex)
+  {
+    const auto state = std::lower_bound(states.begin(), states.end(), vertex,
+                                        [](const State& s, int v) { return s.vertex < v; });
+    return state != states.end() && state->vertex == vertex ? &*state : nullptr;
+  }
+};
 
 // Sends the states of one set of terminals along the edges: Dijkstra's algorithm, pruned by rules 2 and 3 of
 // `Pruned_dynamic_program`. Nothing is left behind between two sets but the memory.
@@ -46,15 +86,10 @@ class Set_search
 public:
   // The references are kept.
   Set_search(const Csr_graph& graph, const std::vector<int>& terminals, const Completion_bound<Words>& bound)
-    : m_graph(graph)
-    , m_terminals(terminals)
-    , m_bound(bound)
-    , m_lengths(graph.number_of_vertices(), infinity())
-    , m_completions(graph.number_of_vertices())
-    , m_origins(graph.number_of_vertices())
-    , m_positions(graph.number_of_vertices(), -1)
-    , m_is_other_terminal(graph.number_of_vertices(), 0)
-    , m_separator(graph)
+    : m_graph(graph), m_terminals(terminals), m_bound(bound), m_lengths(graph.number_of_vertices(), infinity()),
+      m_completions(graph.number_of_vertices()), m_origins(graph.number_of_vertices()),
+      m_positions(graph.number_of_vertices(), -1), m_is_other_terminal(graph.number_of_vertices(), 0),
+      m_separator(graph)
   {}
 
   // The states that the initial ones lead to, by vertex. `rest`: the terminals outside the set, `base`: their part of

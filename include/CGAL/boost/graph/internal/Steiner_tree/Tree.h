@@ -12,6 +12,12 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_TREE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_TREE_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/spanning_forest.h>
 
 #include <limits>
@@ -21,11 +27,8 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-using Graph_kernel::Csr_graph;
-using Graph_kernel::Edge;
-using Graph_kernel::minimum_spanning_forest;
-using Graph_kernel::prune_leaves;
-using Graph_kernel::total_weight;
+using namespace Graph_kernel;
+using Graph_kernel::minimum_spanning_forest; // has an overload here, which would hide it
 
 // A tree in a `Csr_graph`: its edges in increasing order and the sum of their weights.
 struct Tree

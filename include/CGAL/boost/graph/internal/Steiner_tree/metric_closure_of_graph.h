@@ -13,7 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_METRIC_CLOSURE_OF_GRAPH_H
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Distance_heap.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
@@ -82,10 +82,8 @@ public:
 
   Regions_of_graph(const Graph& graph, const std::vector<vertex_descriptor>& centers, WeightMap weight,
                    VertexIndexMap index)
-    : index(index)
-    , distances(num_vertices(graph), (std::numeric_limits<double>::infinity)())
-    , terminals(num_vertices(graph), -1)
-    , last_edges(num_vertices(graph))
+    : index(index), distances(num_vertices(graph), (std::numeric_limits<double>::infinity)()),
+      terminals(num_vertices(graph), -1), last_edges(num_vertices(graph))
   {
     using Graph_kernel::Indexed_distance;
     for(std::size_t i = 0; i < centers.size(); ++i)

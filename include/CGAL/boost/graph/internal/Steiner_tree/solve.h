@@ -12,11 +12,10 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Go_further.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Options.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,8 +23,24 @@ namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
 
-using Graph_kernel::Execution;
-using Graph_kernel::Go_further;
+enum class Method
+{
+  metric_closure,
+  shortest_path_heuristic,
+  greedy_auxiliary_points,                    // the points connected along the metric closure
+  greedy_auxiliary_points_and_shortest_paths, // or by the shortest path heuristic
+  local_search,
+  exact
+};
+
+struct Options
+{
+  Method method = Method::exact;
+  double minimum_length_decrease = 0.;
+  std::size_t maximum_number_of_states = 20000000;
+  // Beyond this number, near points replace the exact solver.
+  std::size_t maximum_number_of_terminals = (std::numeric_limits<std::size_t>::max)();
+};
 
 enum class Outcome
 {

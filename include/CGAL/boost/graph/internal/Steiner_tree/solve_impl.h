@@ -12,15 +12,13 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_IMPL_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_IMPL_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/are_connected.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/greedy_auxiliary_points.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Near_points.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/shortest_path_heuristic.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/tree_through_many_terminals.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,6 +29,45 @@
 namespace CGAL {
 namespace internal {
 namespace Steiner_tree {
+
+// How often perturbed weights may lead to another tree: each time takes about as long as so many states of the
+// program for each vertex. More seldom find a better one.
+inline int number_of_perturbations(const Csr_graph& graph, std::size_t maximum_number_of_states)
+{
+  constexpr std::size_t states_per_vertex = 100, enough = 24;
+  return int((std::min)(enough, maximum_number_of_states / (states_per_vertex * (graph.number_of_vertices() + 1))));
+}
+
+// Near points improved, and again from where perturbed weights lead them; about a percent longer than the shortest
+// tree. O(n log n) for each round of improvements, mostly less than twenty.
+inline Tree tree_through_many_terminals(const Csr_graph& graph, const std::vector<int>& terminals,
+                                        std::size_t maximum_number_of_states, const Go_further& go_further)
+{
+  constexpr double tolerance = 1e-10; // larger than rounding errors
+  std::vector<int> best;
+  double length = Shortest_paths::infinity();
+  Tree tree;
+  const auto improve = [&](const std::vector<int>& auxiliary_points) {
+    Near_points points(graph, terminals, auxiliary_points);
+    points.improve(tolerance * points.length(), go_further);
+    if(!(points.length() < length))
+      return;
+    length = points.length();
+    best = points.auxiliary_points();
+    const Tree other = points.tree();
+    if(other.length < tree.length)
+      tree = other;
+  };
+  improve({});
+  const int rounds = number_of_perturbations(graph, maximum_number_of_states);
+  for(int i = 0; i < rounds && go_further(); ++i) {
+    const Csr_graph other = perturbed(graph, (unsigned int)i);
+    Near_points points(other, terminals, best);
+    points.improve(tolerance * points.length(), go_further);
+    improve(points.auxiliary_points());
+  }
+  return tree;
+}
 
 CGAL_INLINE_UNLESS_SEPARATE
 std::vector<int> branch_vertices(const Csr_graph& graph, const std::vector<int>& terminals, const Tree& tree)
@@ -87,7 +124,7 @@ CGAL_INLINE_UNLESS_SEPARATE
 std::optional<Solution> solve_without_search(const Csr_graph& graph, const std::vector<int>& terminals)
 {
   Solution solution;
-  if(!Graph_kernel::are_connected(graph, terminals, [](int) { return true; })) {
+  if(!are_connected(graph, terminals, [](int) { return true; })) {
     solution.outcome = Outcome::terminals_not_connected;
     return solution;
   }

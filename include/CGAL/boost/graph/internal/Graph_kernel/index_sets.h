@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_DISJOINT_SETS_H
-#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_DISJOINT_SETS_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_INDEX_SETS_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_INDEX_SETS_H
 
 #include <algorithm>
 #include <numeric>
@@ -19,6 +19,40 @@
 namespace CGAL {
 namespace internal {
 namespace Graph_kernel {
+
+// A set of numbers from 0 to a known one, in the order in which they come until it is sorted. One mark for each possible
+// number is kept, so that all calls but sorting take time for what the set holds alone, and it can be used again.
+class Index_set
+{
+public:
+  explicit Index_set(int number_of_possible = 0) : m_is_in(number_of_possible, 0) {}
+
+  int number_of_possible() const { return int(m_is_in.size()); }
+  bool contains(int i) const { return m_is_in[i]; }
+  const std::vector<int>& indices() const { return m_indices; }
+
+  void insert(int i)
+  {
+    if(!m_is_in[i])
+    {
+      m_is_in[i] = 1;
+      m_indices.push_back(i);
+    }
+  }
+
+  void sort() { std::sort(m_indices.begin(), m_indices.end()); }
+
+  void clear()
+  {
+    for(int i : m_indices)
+      m_is_in[i] = 0;
+    m_indices.clear();
+  }
+
+private:
+  std::vector<char> m_is_in;
+  std::vector<int> m_indices;
+};
 
 // The sets of the indices 0..size-1, each in one of its own at first. As each index points to a lower one, they need no
 // ranks, as those of Boost do: where neighbors are near in memory, as on meshes, that is twice as fast.
@@ -54,4 +88,4 @@ public:
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_DISJOINT_SETS_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_INDEX_SETS_H

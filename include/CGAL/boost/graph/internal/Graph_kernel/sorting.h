@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SORT_BY_KEY_H
-#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SORT_BY_KEY_H
+#ifndef CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SORTING_H
+#define CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SORTING_H
 
 #include <algorithm>
 #include <cstddef>
@@ -21,6 +21,22 @@
 namespace CGAL {
 namespace internal {
 namespace Graph_kernel {
+
+// Sorts values and keeps one of those that are equal.
+template <typename Value>
+void sort_unique(std::vector<Value>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+// Adds values, which may be there already; sorted, each once.
+template <typename Value>
+void add_unique(const std::vector<Value>& added, std::vector<Value>& values)
+{
+  values.insert(values.end(), added.begin(), added.end());
+  sort_unique(values);
+}
 
 // The places of the keys from the smallest to the largest; equal ones keep their order.
 inline std::vector<int> ascending_places(const std::vector<double>& keys)
@@ -52,4 +68,4 @@ void sort_by_key(std::vector<Value>& values, const Key& key)
 } // namespace internal
 } // namespace CGAL
 
-#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SORT_BY_KEY_H
+#endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SORTING_H
