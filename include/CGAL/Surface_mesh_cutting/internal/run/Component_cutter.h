@@ -100,7 +100,7 @@ private:
     if(!plan.refines() && plan.number_of_starts == 1)
       return {finisher.from_features(detect_features(m_problem, plan.number_of_faces, context), needs_map)};
     return plan.is_coarsened() ? results_by_coarser_version(plan, finisher, context, needs_map)
-                               : results_of_race(Race(m_problem, context, plan, false), context, [&](const Runner& runner)
+                               : results_of_race(Race(m_problem, context, plan, false), plan, context, [&](const Runner& runner)
                                                  { return finisher.from_cut(runner.detected, *runner.refiner); });
   }
 
@@ -116,7 +116,7 @@ private:
     if(!failed.status)
       return {failed};
     const Race race(problem, context, plan, true);
-    return results_of_race(race, context, [&](const Runner& runner)
+    return results_of_race(race, plan, context, [&](const Runner& runner)
     {
       Detected_features detected = runner.detected;
       detected.features = lifted(m_problem, coarse, runner.refiner->cut().features());
@@ -127,14 +127,19 @@ private:
 
   // Finishes the best one; another one where it misses the bound or pays much for room: its chart may lie otherwise.
   template <typename Finish>
-  std::vector<Component_result> results_of_race(const Race& race, const Context& context, const Finish& finish) const
+  std::vector<Component_result> results_of_race(const Race& race, const Run_plan& plan, const Context& context,
+                                                const Finish& finish) const
   {
     std::vector<Runner> runners = race.run();
     if(!runners.front().refiner)
       return {Finisher::result_without_cut(runners.front().detected)};
     std::vector<Component_result> results(1, finish(runners[0]));
-    for(std::size_t i = 1; i < runners.size() && runners[i].refiner && goes_on_after(results) && context.control.go_further(); ++i)
+    for(int i = 1; i < int(runners.size()) && runners[i].refiner && goes_on_after(results) && context.control.go_further(); ++i)
+    {
+      if(i >= plan.number_of_refined())
+        race.refine(runners[i]);
       results.push_back(finish(runners[i]));
+    }
     return results;
   }
 

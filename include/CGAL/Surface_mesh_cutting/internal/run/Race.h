@@ -53,21 +53,31 @@ public:
       m_goal{Objective(context.parameters), plan.number_of_solves, keeps_tree, plan.rounds_of_moved_ends}
   {}
 
-  // The most promising first. Only the first one's `detected` tells about a failure; a run that was stopped returns what it
-  // has.
+  // The prepared ones, those first that are refined, both by what the objective says. Only the first one's `detected` tells
+  // about a failure; a run that was stopped returns what it has.
   std::vector<Runner> run() const
   {
     std::vector<Runner> runners(m_plan.number_of_starts);
     begin(runners[0], 0);
     execute(runners, 1, int(runners.size()), [&](Runner& runner, int i) { begin(runner, i); });
     drop_same(runners);
-    sort(runners);
+    sort(runners, int(runners.size()));
     m_context.control.report(Phase::REFINE, 0);
-    advance(m_plan.number_of_prepared(), runners, [&](Cut_refiner& refiner) { refiner.prepare(m_goal); });
+    if(int(runners.size()) > m_plan.number_of_prepared())
+      runners.resize(m_plan.number_of_prepared());
+    advance(int(runners.size()), runners, [&](Cut_refiner& refiner) { refiner.prepare(m_goal); });
     m_context.control.report(Phase::REFINE, 0.5);
-    advance(m_plan.number_of_refined(), runners, [&](Cut_refiner& refiner) { refiner.refine(m_goal); });
+    advance((std::min)(m_plan.number_of_refined(), int(runners.size())), runners,
+            [&](Cut_refiner& refiner) { refiner.refine(m_goal); });
     m_context.control.report(Phase::REFINE, 1);
     return runners;
+  }
+
+  // Refines one of those that were left behind, too.
+  void refine(Runner& runner) const
+  {
+    const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
+    runner.refiner->refine(m_goal);
   }
 
 private:
@@ -135,19 +145,17 @@ private:
 
   double value(const Cut_refiner& refiner) const { return m_goal.objective(refiner.cut().cost(), refiner.cut().energy()); }
 
-  // The best `number` do the next stage; the others are given up.
+  // The first `number` do the next stage, and the best of them come first then.
   template <typename Stage>
   void advance(int number, std::vector<Runner>& runners, const Stage& stage) const
   {
-    if(int(runners.size()) > number)
-      runners.resize(number);
-    execute(runners, 0, int(runners.size()), [&](Runner& runner, int)
+    execute(runners, 0, number, [&](Runner& runner, int)
     {
       const Phase_clock::Measurement measurement(m_context.clock, Phase::REFINE);
       if(runner.refiner && m_plan.refines())
         stage(*runner.refiner);
     });
-    sort(runners);
+    sort(runners, number);
   }
 
   // Side by side; if the run is stopped, the first one alone.
@@ -161,11 +169,11 @@ private:
     });
   }
 
-  void sort(std::vector<Runner>& runners) const
+  void sort(std::vector<Runner>& runners, int number) const
   {
     const auto rank = [this](const Runner& runner)
     { return runner.refiner ? value(*runner.refiner) : std::numeric_limits<double>::infinity(); };
-    std::stable_sort(runners.begin(), runners.end(), [&](const Runner& a, const Runner& b) { return rank(a) < rank(b); });
+    std::stable_sort(runners.begin(), runners.begin() + number, [&](const Runner& a, const Runner& b) { return rank(a) < rank(b); });
   }
 
   // Keeps the first one with the same features.
