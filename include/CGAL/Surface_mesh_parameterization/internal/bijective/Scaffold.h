@@ -196,9 +196,8 @@ private:
     // Where the apex over this edge would just make the triangle good enough.
     const double good_height
       = length * (largest_ratio + std::sqrt(largest_ratio * largest_ratio - 0.25));
-    constexpr double clearance = 0.6; // of the base: closer points would make slimmer triangles
-    centers.push_back({origin + 0.5 * base + (std::min)(height, good_height) * normal,
-                       clearance * length});
+    // Closer points would make slimmer triangles.
+    centers.push_back({origin + 0.5 * base + (std::min)(height, good_height) * normal, length / largest_ratio});
   }
 
   static double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,

@@ -33,16 +33,6 @@ namespace internal {
 bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
                   Execution execution = Execution::SEQUENTIAL);
 
-// The number of vertices of the coarsest stage, from which growth by a constant factor ends at the whole chart: a stage
-// of almost as many vertices as that would cost as much, for nothing.
-inline int coarsest_size(int number_of_vertices)
-{
-  constexpr int largest = 500;
-  while(number_of_vertices > largest)
-    number_of_vertices = (number_of_vertices + growth_of_stages - 1) / growth_of_stages;
-  return number_of_vertices;
-}
-
 // As isometric as possible among the injective maps of a connected chart, free border; `uv` holds the
 // isometric map, with what its solve returned. That is the answer if its borders do not overlap.
 // FAILED if no injective map was found, or if one on the way has more than `hopeless_energy`.

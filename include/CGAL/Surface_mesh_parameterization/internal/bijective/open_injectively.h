@@ -15,6 +15,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
@@ -31,33 +33,19 @@ namespace internal {
 inline void draw_inwards(const Corner_table& chart, int halfedge, std::vector<Eigen::Vector2d>& uv)
 {
   constexpr double largest_step = 0.1; // of the shorter one of the two edges
-  constexpr int maximum_halvings = 20;
-  int last = halfedge; // the halfedge of the fan in whose triangle the border arrives
-  while(chart.next_around_source(last) >= 0)
-    last = chart.next_around_source(last);
   const int v = chart.source(halfedge);
   const Eigen::Vector2d former = uv[v];
-  const Eigen::Vector2d incoming = former - uv[chart.source(previous_halfedge(last))];
-  const Eigen::Vector2d outgoing = uv[chart.target(halfedge)] - former;
+  std::vector<Star_triangle> star;
+  collect_star(chart.ring(halfedge), chart.triangles(), uv, [](int) { return Rest_shape(); }, star);
+  const Eigen::Vector2d incoming = former - star.back().b, outgoing = star.front().a - former;
   const Eigen::Vector2d along = incoming.normalized() + outgoing.normalized();
-  const auto twice_area = [&](int h)
-  { return doubled_area(uv[v], uv[chart.target(h)], uv[chart.source(previous_halfedge(h))]); };
-  std::vector<double> least_areas;
-  for(int h = halfedge; h >= 0; h = chart.next_around_source(h))
-    least_areas.push_back(twice_area(h) / 2);
-  const auto keeps_areas = [&]
-  {
-    std::size_t i = 0;
-    for(int h = halfedge; h >= 0; h = chart.next_around_source(h))
-      if(!(twice_area(h) > least_areas[i++]))
-        return false;
-    return true;
-  };
+  const auto keeps_areas = [&](const Star_triangle& t)
+  { return doubled_area(uv[v], t.a, t.b) > doubled_area(former, t.a, t.b) / 2; };
   double step = largest_step * (std::min)(incoming.norm(), outgoing.norm());
   for(int i = 0; i < maximum_halvings; ++i, step /= 2)
   {
     uv[v] = former + step * Eigen::Vector2d(-along.y(), along.x()).normalized();
-    if(keeps_areas())
+    if(std::all_of(star.begin(), star.end(), keeps_areas))
       return;
   }
   uv[v] = former;

@@ -83,6 +83,22 @@ public:
     return h;
   }
 
+  // All halfedges that leave the source of `h`: counterclockwise, and from `h` on if it is on the border.
+  std::vector<int> ring(int h) const
+  {
+    constexpr std::size_t usual_valence = 8; // seldom more
+    std::vector<int> corners;
+    corners.reserve(usual_valence);
+    corners.push_back(h);
+    int c = next_around_source(h);
+    for(; c >= 0 && c != h; c = next_around_source(c))
+      corners.push_back(c);
+    if(c < 0)
+      for(c = previous_around_source(h); c >= 0; c = previous_around_source(c))
+        corners.push_back(c);
+    return corners;
+  }
+
   // One entry per loop: its border halfedges in order; loops sorted by their lowest halfedge. O(n).
   std::vector<std::vector<int> > border_loops() const
   {
@@ -186,22 +202,6 @@ public:
   }
 
 private:
-  // All halfedges that leave the source of `h`.
-  std::vector<int> ring(int h) const
-  {
-    constexpr std::size_t usual_valence = 8; // seldom more
-    std::vector<int> corners;
-    corners.reserve(usual_valence);
-    corners.push_back(h);
-    int c = next_around_source(h);
-    for(; c >= 0 && c != h; c = next_around_source(c))
-      corners.push_back(c);
-    if(c < 0)
-      for(c = previous_around_source(h); c >= 0; c = previous_around_source(c))
-        corners.push_back(c);
-    return corners;
-  }
-
   // Gives each fan that the corners of one former vertex form now a vertex of its own.
   void split(const std::vector<int>& corners, Opening& opening)
   {

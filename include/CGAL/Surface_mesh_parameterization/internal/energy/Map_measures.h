@@ -100,11 +100,10 @@ public:
     : m_surface(surface), m_points(points), m_chart(chart), m_execution(execution),
       m_shapes(rest_shapes(surface, points, execution))
   {
-    constexpr double height_that_rounding_spoils = 1e-7; // of the longest edge: at most nine digits are left
     execute_blocks(execution, int(m_shapes.size()), [&](int begin, int end)
     {
       for(int f = begin; f < end; ++f)
-        if(!is_higher(surface[f], height_that_rounding_spoils))
+        if(!is_higher(surface[f], minimal_coarse_height))
           m_shapes[f].area = 0; // without weight in sums over the others
     });
     for(int f = 0; f < int(m_shapes.size()); ++f)

@@ -48,10 +48,11 @@ inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   return Rest_shape{gradient(b, c), gradient(c, a), gradient(a, b), 0.5 * twice_area};
 }
 
-// Of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates are
-// rounded to 1e-16 of the whole.
+// The least height of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates
+// are rounded to 1e-16 of the whole.
 constexpr double minimal_height = 1e-10;
-// Of coarser versions, whose flattest triangles simplification made: a rough shape does, and is easier to map.
+// Rounding spoils what is smaller against its surroundings: at most nine digits are left. Of coarser versions, whose
+// flattest triangles simplification made, that height is the least one: a rough shape does, and is easier to map.
 constexpr double minimal_coarse_height = 1e-7;
 
 // From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get at least the
@@ -82,7 +83,6 @@ inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 inline double minimal_edge(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& points,
                            Execution execution = Execution::SEQUENTIAL)
 {
-  constexpr double share = 1e-7;
   const double sum = reduce_blocks(execution, int(triangles.size()), 0., [&](int begin, int end)
   {
     double lengths = 0;
@@ -90,7 +90,7 @@ inline double minimal_edge(const std::vector<Triangle>& triangles, const std::ve
       lengths += (points[triangles[f][1]] - points[triangles[f][0]]).norm();
     return lengths;
   }, std::plus<double>());
-  return sum > 0 ? share * sum / double(triangles.size()) : share;
+  return minimal_coarse_height * (sum > 0 ? sum / double(triangles.size()) : 1);
 }
 
 // The shapes of all triangles of a surface in space.

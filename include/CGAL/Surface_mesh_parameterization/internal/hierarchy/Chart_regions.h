@@ -36,14 +36,13 @@ public:
   // Of the chart as far as it is not collapsed. `points`: of all its vertices.
   Chart_regions(const Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points, Execution execution)
   {
-    constexpr int largest = 8192; // vertices: with what belongs to them, as much as a core's own cache holds
-    constexpr int smallest = 2048; // vertices: too many of smaller regions are at their edges
-    constexpr int few = 4;         // regions: fewer are divided for the sake of threads alone
+    // With what belongs to so many vertices, a core's own cache is not full. Of smaller regions, too many are at edges.
+    constexpr int largest = 4096;
     std::vector<int> vertices = chart.vertices_in_use();
-    if(int(vertices.size()) < 2 * smallest)
+    if(int(vertices.size()) <= largest)
       return;
     m_starts = {0, int(vertices.size())};
-    while(m_starts[1] > largest || (int(m_starts.size()) <= few && m_starts[1] >= 2 * smallest))
+    while(m_starts[1] > largest)
       halve(points, execution, vertices);
     keep_inner(chart, execution, vertices, int(points.size()));
   }

@@ -41,12 +41,8 @@ struct Newton_state
   double energy;    // area-averaged
   double decrement; // g^T H^-1 g, about twice the gain that is left
 
-  // Whether the energy will stay above `bound`. Far from convergence the decrement is too small, hence the factor.
-  bool is_out_of_reach(double bound) const
-  {
-    constexpr double caution = 2;
-    return energy - caution * decrement > bound;
-  }
+  // Whether the energy will stay above `bound`. Far from convergence the decrement is too small: it counts as the gain.
+  bool is_out_of_reach(double bound) const { return energy - decrement > bound; }
 };
 
 struct Newton_options
@@ -105,29 +101,22 @@ private:
     double product = 0;
   };
 
-  // How many further directions one factorization serves at most. With nested dissection it costs about the
-  // square root of the number of unknowns times as much as a direction.
-  int maximum_reuse() const;
-
   // Assembles and solves for the Newton direction. The diagonal shift is relative to each entry: it
   // fixes the gauge (MIPS does not depend on scale and rotation) and grows only where rounding
   // makes the factorization of an ill-conditioned matrix fail. With `relaxes`, stars are relaxed first.
   template <typename Energy>
-  bool find_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights, const Newton_options& options,
-                      bool relaxes, std::vector<Eigen::Vector2d>& uv, Newton_result& result);
+  bool find_direction(const Weighted_triangles& sum, bool relaxes, std::vector<Eigen::Vector2d>& uv,
+                      Newton_result& result);
 
-  // Whether stars were. Vertices are relaxed until their decrement is small against the tolerance and against the energy
-  // of their star.
+  // Relaxes stars until the decrement of each vertex is small against the energy of its star. Whether there was any.
   template <typename Energy>
-  bool relax(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights, const Newton_options& options,
-             std::vector<Eigen::Vector2d>& uv, const Newton_result& result);
+  bool relax(const Weighted_triangles& sum, std::vector<Eigen::Vector2d>& uv, const Newton_result& result);
 
   // Steps while the factorization at hand gives good directions, of which the first is known. The outcome, if that ends
   // the iteration.
   template <typename Energy>
-  std::optional<Newton_outcome> use_factorization(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                                                  const Newton_options& options, std::vector<Eigen::Vector2d>& uv,
-                                                  Newton_result& result);
+  std::optional<Newton_outcome> use_factorization(const Weighted_triangles& sum, const Newton_options& options,
+                                                  std::vector<Eigen::Vector2d>& uv, Newton_result& result);
 
   // The next direction from the factorization at hand: L-BFGS with the latest projected Hessian as
   // the initial one. A direction costs a few triangular solves, a small part of a factorization, and
@@ -144,9 +133,8 @@ private:
   // magnitude, the quadratic model sees only a factor of two per step. `trial` becomes the former map; without a step, `uv`
   // stays, and `trial` means nothing.
   template <typename Energy>
-  void line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                   const std::vector<Eigen::Vector2d>& direction, std::vector<Eigen::Vector2d>& uv,
-                   std::vector<Eigen::Vector2d>& trial, Newton_result& result) const;
+  void line_search(const Weighted_triangles& sum, const std::vector<Eigen::Vector2d>& direction,
+                   std::vector<Eigen::Vector2d>& uv, std::vector<Eigen::Vector2d>& trial, Newton_result& result) const;
 
   std::vector<Triangle> m_triangles;
   const Solvers& m_linear_solvers;

@@ -33,6 +33,14 @@ namespace internal {
 
 using CGAL::internal::Graph_kernel::Index_set;
 
+// What is minimized: the sum of weight times energy over triangles.
+struct Weighted_triangles
+{
+  const std::vector<Triangle>& triangles;
+  const std::vector<Rest_shape>& shapes;
+  const std::vector<double>& weights;
+};
+
 // Nonlinear elimination [LRW96]: a few triangles that a step brought near a flip make the quadratic model useless and the
 // next steps short, for all others as well. Their vertices are moved one by one, each to where the energy of its star is
 // least, before the next direction is found.
@@ -41,22 +49,19 @@ class Star_relaxation
 public:
   explicit Star_relaxation(Execution execution) : m_execution(execution) {}
 
-  // Moves vertices whose own decrement is above `threshold`, unless these are the majority. The system holds the gradient at
-  // `uv`, of the area-averaged energy, and does so afterwards. Returns by how much that became less. No triangle flips.
-  // The triangles are the same in all calls.
+  // Moves vertices whose own decrement is above `threshold`, unless these are the majority: a global step serves more of
+  // them better. The system holds the gradient of the sum at `uv`, and does so afterwards. Returns by how much the sum
+  // became less. No triangle flips. The triangles are the same in all calls.
   template <typename Energy>
-  double relax(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
-               const std::vector<double>& weights, double threshold, Newton_system& system,
-               std::vector<Eigen::Vector2d>& uv)
+  double relax(const Weighted_triangles& sum, double threshold, Newton_system& system, std::vector<Eigen::Vector2d>& uv)
   {
     constexpr int maximum_number_of_rounds = 4;
-    constexpr double most = 0.5; // of the vertices: a global step serves more of them better
     std::vector<int> active = system.vertices_above(threshold);
-    if(double(active.size()) > most * double(uv.size()))
+    if(2 * active.size() > uv.size())
       return 0;
     if(!active.empty() && m_corners.number_of_buckets() == 0)
     {
-      m_corners = corners_at_vertices(triangles, int(uv.size()));
+      m_corners = corners_at_vertices(sum.triangles, int(uv.size()));
       m_touched = Index_set(int(uv.size()));
     }
     double gain = 0;
@@ -65,11 +70,11 @@ public:
       m_touched.clear();
       for(int v : active)
       {
-        const double decrease = move<Energy>(v, triangles, shapes, weights, uv);
+        const double decrease = move<Energy>(v, sum, uv);
         gain += decrease;
         if(decrease > 0)
           for(int c : m_corners[v])
-            for(int w : triangles[c / 3])
+            for(int w : sum.triangles[c / 3])
               m_touched.insert(w);
       }
       m_touched.sort();
@@ -77,7 +82,7 @@ public:
       execute_blocks(m_execution, int(touched.size()), [&](int begin, int end)
       {
         for(int i = begin; i < end; ++i)
-          system.set_gradient(touched[i], gradient<Energy>(touched[i], triangles, shapes, weights, uv));
+          system.set_gradient(touched[i], gradient<Energy>(touched[i], sum, uv));
       });
       active.clear();
       std::copy_if(touched.begin(), touched.end(), std::back_inserter(active),
@@ -89,21 +94,19 @@ public:
 private:
   // Returns what that gains, 0 if the vertex stays.
   template <typename Energy>
-  double move(int v, const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
-              const std::vector<double>& weights, std::vector<Eigen::Vector2d>& uv)
+  double move(int v, const Weighted_triangles& sum, std::vector<Eigen::Vector2d>& uv)
   {
-    m_star.clear();
-    for(int c : m_corners[v])
+    const auto shape_of = [&](int c)
     {
-      const int f = c / 3, k = c % 3;
-      const Triangle& t = triangles[f];
-      m_star.push_back({uv[t[(k + 1) % 3]], uv[t[(k + 2) % 3]], rotated(shapes[f], k)});
-      m_star.back().shape.area = weights[f];
-    }
+      Rest_shape shape = rotated(sum.shapes[c / 3], c % 3);
+      shape.area = sum.weights[c / 3];
+      return shape;
+    };
+    collect_star(m_corners[v], sum.triangles, uv, shape_of, m_star);
     const Eigen::Vector2d former = uv[v];
-    const double former_energy = energy<Energy>(v, triangles, shapes, weights, uv);
+    const double former_energy = energy<Energy>(v, sum, uv);
     Star_placement<Energy>::improve(m_star, uv[v]);
-    const double decrease = former_energy - energy<Energy>(v, triangles, shapes, weights, uv);
+    const double decrease = former_energy - energy<Energy>(v, sum, uv);
     if(decrease > 0)
       return decrease;
     uv[v] = former;
@@ -112,30 +115,28 @@ private:
 
   // Of the star, with the corners in the order in which the solver takes them, so that rounding cannot make it see a flip.
   template <typename Energy>
-  double energy(int v, const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
-                const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv) const
+  double energy(int v, const Weighted_triangles& sum, const std::vector<Eigen::Vector2d>& uv) const
   {
-    double sum = 0;
+    double result = 0;
     for(int c : m_corners[v])
     {
-      const Triangle& t = triangles[c / 3];
-      sum += triangle_energy<Energy>(weights[c / 3], shapes[c / 3], uv[t[0]], uv[t[1]], uv[t[2]]);
+      const Triangle& t = sum.triangles[c / 3];
+      result += triangle_energy<Energy>(sum.weights[c / 3], sum.shapes[c / 3], uv[t[0]], uv[t[1]], uv[t[2]]);
     }
-    return sum;
+    return result;
   }
 
   template <typename Energy>
-  Eigen::Vector2d gradient(int v, const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes,
-                           const std::vector<double>& weights, const std::vector<Eigen::Vector2d>& uv) const
+  Eigen::Vector2d gradient(int v, const Weighted_triangles& sum, const std::vector<Eigen::Vector2d>& uv) const
   {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero(), at_corners[3];
+    Eigen::Vector2d result = Eigen::Vector2d::Zero(), at_corners[3];
     for(int c : m_corners[v])
     {
-      const Triangle& t = triangles[c / 3];
-      triangle_gradient<Energy>(shapes[c / 3], uv[t[0]], uv[t[1]], uv[t[2]], at_corners);
-      sum += weights[c / 3] * at_corners[c % 3];
+      const Triangle& t = sum.triangles[c / 3];
+      triangle_gradient<Energy>(sum.shapes[c / 3], uv[t[0]], uv[t[1]], uv[t[2]], at_corners);
+      result += sum.weights[c / 3] * at_corners[c % 3];
     }
-    return sum;
+    return result;
   }
 
   Execution m_execution;

@@ -41,6 +41,9 @@ inline double smallest_positive_root(double a, double b, double c)
   return (std::min)(r > 0 ? r : infinity, s > 0 ? s : infinity);
 }
 
+// After so many halvings, no digit of a step is left.
+constexpr int maximum_halvings = 60;
+
 // How far all vertices can move along `direction` until a triangle degenerates [SS15, Section 3.3].
 inline double step_to_first_flip(const std::vector<Triangle>& triangles,
                                  const std::vector<Eigen::Vector2d>& uv,

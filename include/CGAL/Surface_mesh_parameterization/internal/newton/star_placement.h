@@ -62,6 +62,19 @@ inline Rest_shape rotated(const Rest_shape& s, int corner)
   return corner == 0 ? s : corner == 1 ? Rest_shape{s.g1, s.g2, s.g0, s.area} : Rest_shape{s.g2, s.g0, s.g1, s.area};
 }
 
+// The star of a vertex with these corners, 3t+k. `shape_of(c)`: the shape of the triangle of a corner, which comes first.
+template <typename Corners, typename ShapeOf>
+void collect_star(const Corners& corners, const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv,
+                  const ShapeOf& shape_of, std::vector<Star_triangle>& star)
+{
+  star.clear();
+  for(int c : corners)
+  {
+    const Triangle& t = triangles[c / 3];
+    star.push_back({uv[t[(c + 1) % 3]], uv[t[(c + 2) % 3]], shape_of(c)});
+  }
+}
+
 // Finds where the center of a star can be put so that all its triangles are positive, with as little
 // energy as possible: the centroid of the kernel, then Newton's method on the center alone. False if the
 // kernel has no interior in floating point.
@@ -80,8 +93,8 @@ public:
   // From a center that makes all triangles positive.
   static void improve(const std::vector<Star_triangle>& star, Eigen::Vector2d& center)
   {
-    constexpr int maximum_steps = 8, maximum_trials = 20; // limits
-    constexpr double decrement_to_stop = 1e-3;            // of the energy; the global solve does the rest
+    constexpr int maximum_steps = 8;           // a limit
+    constexpr double decrement_to_stop = 1e-3; // of the energy; the global solve does the rest
     double e = energy(star, center);
     Triangle_terms terms;
     for(int i = 0; i < maximum_steps; ++i)
@@ -102,7 +115,7 @@ public:
       if(!(decrement > decrement_to_stop * e))
         return;
       double t = 1, next = energy(star, center - step);
-      for(int k = 0; k < maximum_trials && !(next < e); ++k)
+      for(int k = 0; k < maximum_halvings && !(next < e); ++k)
       {
         t *= 0.5;
         next = energy(star, center - t * step);
