@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/bijective/open_injectively.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 

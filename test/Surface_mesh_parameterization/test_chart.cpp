@@ -1,7 +1,6 @@
 // Random openings of closed surfaces: the chart against a count from scratch, and closing bit for bit.
 
 #undef NDEBUG
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Random.h>

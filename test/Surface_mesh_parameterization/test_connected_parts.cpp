@@ -1,7 +1,7 @@
 // Parts of random gluings of triangles against a search from each lowest triangle.
 
 #undef NDEBUG
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Random.h>
 

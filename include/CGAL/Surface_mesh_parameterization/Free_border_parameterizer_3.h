@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 namespace internal {
 
-// What methods have in common that promise a map without flips, but not without overlaps.
+// Base of the methods that promise a map without flips, but not without overlaps.
 struct Flip_free_method
 {
   static bool is_valid(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
@@ -108,12 +108,10 @@ public:
   ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
   ///         a unique integer as value type. The method does not use it.
   /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with
-  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-  ///         a Boolean as value type.
+  ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a Boolean as value type.
   ///
   /// \param mesh a triangulated surface.
-  /// \param bhd a halfedge on a border of `mesh`. It selects the connected component; all its
-  ///        borders are free.
+  /// \param bhd a halfedge on a border of `mesh`. It selects the connected component; all its borders are free.
   /// \param uvmap receives the position in the plane of each vertex of the component.
   /// \param vimap unique indices of the vertices.
   /// \param vpmap receives `true` for each vertex of the component that was given a position.
@@ -129,10 +127,7 @@ public:
   ///   number type of the UVs cannot represent it;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver failed.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
-  Error_code parameterize(TriangleMesh& mesh,
-                          halfedge_descriptor bhd,
-                          VertexUVmap uvmap,
-                          VertexIndexMap vimap,
+  Error_code parameterize(TriangleMesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap)
   {
     CGAL_USE(vimap);

@@ -41,11 +41,10 @@ struct Conformal_method : Flip_free_method
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// The class `MIPS_parameterizer_3` implements the <em>most isometric parameterization</em> (MIPS)
-/// of a surface with border \cgalCite{cgal:hg-megpm-00}: the map to the plane that preserves angles
-/// as well as possible. It minimizes the average of \f$ \frac{1}{2} \|J\|_F^2 / \det J \f$ over the
-/// area of the surface, where \f$ J \f$ is the Jacobian of a triangle. This energy is 1 for a
-/// similarity and grows to infinity as a triangle degenerates.
+/// The class `MIPS_parameterizer_3` implements the <em>most isometric parameterization</em> (MIPS) of a surface with
+/// border \cgalCite{cgal:hg-megpm-00}: the map to the plane that preserves angles as well as possible. It minimizes
+/// the average of \f$ \frac{1}{2} \|J\|_F^2 / \det J \f$ over the area of the surface, where \f$ J \f$ is the Jacobian
+/// of a triangle. This energy is 1 for a similarity and grows to infinity as a triangle degenerates.
 ///
 /// The border is free. No triangle is flipped. Distant parts of the image may overlap. The result has the area of the
 /// surface. `Free_border_parameterizer_3` describes method, time, and memory.

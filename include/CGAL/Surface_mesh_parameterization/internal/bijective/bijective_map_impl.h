@@ -20,23 +20,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <vector>
-
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_INLINE_UNLESS_SEPARATE
-bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
-                  Execution execution)
+bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv, Execution execution)
 {
   if(count_flips(chart.triangles(), uv, nullptr, execution) > 0)
     return false;
@@ -124,8 +114,6 @@ Newton_result bijective_map(const Corner_table& chart, const std::vector<Eigen::
   return make_bijective(chart, points, shapes, linear_solvers, uv, isometric, options);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_BIJECTIVE_MAP_IMPL_H

@@ -26,9 +26,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A triangle laid flat: the gradients of its three hat functions and its area. A map with corner
 // values u_i has the Jacobian sum of u_i g_i^T.
@@ -39,8 +37,7 @@ struct Rest_shape
 };
 
 // From the corners of a flat, counterclockwise triangle.
-inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                             const Eigen::Vector2d& c)
+inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
   const double twice_area = doubled_area(a, b, c);
   const auto gradient = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t)
@@ -51,8 +48,8 @@ inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
 // The least height of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates
 // are rounded to 1e-16 of the whole.
 constexpr double minimal_height = 1e-10;
-// Rounding spoils what is smaller against its surroundings: at most nine digits are left. Of coarser versions, whose
-// flattest triangles simplification made, that height is the least one: a rough shape does, and is easier to map.
+// Rounding spoils what is smaller against its surroundings: at most nine digits are left. Coarser versions, whose
+// flattest triangles simplification made, get at least this height: a rough shape does, and is easier to map.
 constexpr double minimal_coarse_height = 1e-7;
 
 // From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get at least the
@@ -152,16 +149,13 @@ inline std::vector<double> area_weights(const std::vector<Rest_shape>& shapes)
   return weights;
 }
 
-inline void scale_to_area(const std::vector<Triangle>& triangles, double area,
-                          std::vector<Eigen::Vector2d>& uv)
+inline void scale_to_area(const std::vector<Triangle>& triangles, double area, std::vector<Eigen::Vector2d>& uv)
 {
   const double factor = std::sqrt(area / chart_area(triangles, uv));
   for(Eigen::Vector2d& u : uv)
     u *= factor;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_REST_SHAPES_H

@@ -16,10 +16,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_regions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_simplification.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Flip_collapse.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/stars.h>
 
 #include <Eigen/Core>
 
@@ -30,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A chart at all resolutions between a few triangles and its own: half-edge collapses (border only
 // along the border), undone one after the other with the vertex placed inside the kernel of its
@@ -78,8 +75,7 @@ public:
     return m_number_of_vertices;
   }
 
-  // Collapses what is flipped under `uv` (over the vertices of the whole chart) instead. False if
-  // flips remain.
+  // Collapses what is flipped under `uv` (over the vertices of the whole chart) instead. False if flips remain.
   bool collapse_flips(const std::vector<Eigen::Vector2d>& uv, int maximum_number_of_collapses)
   {
     Phase phase(1);
@@ -370,8 +366,6 @@ private:
   std::vector<Phase> m_phases; // none without collapses
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_CHART_HIERARCHY_H

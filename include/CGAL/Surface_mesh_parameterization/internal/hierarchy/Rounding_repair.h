@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/stars.h>
 
 #include <Eigen/Core>
 
@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Rounds UVs to the caller's number type, as `float`, so that no triangle flips: where one does, a
 // vertex of it moves towards the middle of the kernel of its star, no farther than needed.
@@ -129,8 +127,6 @@ private:
   Star_placement<Symmetric_Dirichlet_energy> m_placement;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_ROUNDING_REPAIR_H

@@ -27,9 +27,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 inline std::vector<Eigen::Vector2d> restricted(const std::vector<Eigen::Vector2d>& uv, const std::vector<int>& vertices)
 {
@@ -90,12 +88,11 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
   return Stages_outcome::MAPPED;
 }
 
-// A map from nothing: the coarsest stage of the hierarchy is mapped by Tutte's embedding, each stage
-// is optimized by `optimize(stage, uv)` and handed to the next, four times as large. `uv` is near the
-// optimum on return, but not optimized at full resolution. In floating point Tutte's embedding collapses where
-// many vertices hang on few, as around one with a hundred neighbors: should a stage not be mapped, optimized or
-// extended to a map that is `is_valid(uv)`, all is done again from a coarser one. `optimize` returns how
-// it ended.
+// A map from nothing: the coarsest stage of the hierarchy is mapped by Tutte's embedding, each stage is optimized by
+// `optimize(stage, uv)` and handed to the next, four times as large. `uv` is near the optimum on return, but not
+// optimized at full resolution. In floating point Tutte's embedding collapses where many vertices hang on few, as
+// around one with a hundred neighbors: should a stage not be mapped, optimized or extended to a map that is
+// `is_valid(uv)`, all is done again from a coarser one. `optimize` returns how it ended.
 template <typename Energy, typename Optimize, typename IsValid>
 Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_region,
                              const Solvers& linear_solvers, const Optimize& optimize, const IsValid& is_valid,
@@ -148,8 +145,6 @@ inline bool remove_flips(const Corner_table& chart, const std::vector<Eigen::Vec
          count_flips(chart.triangles(), uv) == 0;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHICAL_MAP_H

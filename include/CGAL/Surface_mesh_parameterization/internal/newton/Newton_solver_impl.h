@@ -16,22 +16,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <utility>
-#include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_INLINE_UNLESS_SEPARATE
 Newton_solver::Newton_solver(std::vector<Triangle> triangles, int number_of_vertices, const Solvers& linear_solvers,
@@ -274,8 +266,6 @@ Newton_solver::energy<Symmetric_Dirichlet_energy>(const std::vector<Rest_shape>&
                                                   const std::vector<Eigen::Vector2d>&) const;
 #endif
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SOLVER_IMPL_H
