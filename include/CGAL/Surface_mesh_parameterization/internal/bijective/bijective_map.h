@@ -57,7 +57,7 @@ inline void draw_inwards(const Corner_table& chart, int halfedge, std::vector<Ei
   const int v = chart.source(halfedge);
   const Eigen::Vector2d former = uv[v];
   std::vector<Star_triangle> star;
-  collect_star(chart.ring(halfedge), chart.triangles(), uv, [](int) { return Rest_shape(); }, star);
+  collect_star(chart.ring(halfedge), chart.triangles(), uv, [](int) { return no_shape(); }, star);
   const Eigen::Vector2d incoming = former - star.back().b, outgoing = star.front().a - former;
   const Eigen::Vector2d along = incoming.normalized() + outgoing.normalized();
   const auto keeps_areas = [&](const Star_triangle& t)

@@ -111,9 +111,7 @@ private:
 
   bool kernel_centroid(int v, const std::vector<Eigen::Vector2d>& uv, Eigen::Vector2d& middle)
   {
-    const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
-    const Rest_shape no_shape{zero, zero, zero, 0}; // the kernel does not depend on it
-    collect_star(m_corners[v], m_triangles, uv, [&](int) { return no_shape; }, m_star);
+    collect_star(m_corners[v], m_triangles, uv, [](int) { return no_shape(); }, m_star);
     return m_placement.kernel_centroid(m_star, middle);
   }
 

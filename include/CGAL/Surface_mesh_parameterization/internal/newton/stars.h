@@ -67,6 +67,13 @@ inline Rest_shape rotated(const Rest_shape& s, int corner)
   return corner == 0 ? s : corner == 1 ? Rest_shape{s.g1, s.g2, s.g0, s.area} : Rest_shape{s.g2, s.g0, s.g1, s.area};
 }
 
+// For stars whose energy does not matter.
+inline Rest_shape no_shape()
+{
+  const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
+  return {zero, zero, zero, 0};
+}
+
 // The star of a vertex with these corners, 3t+k. `shape_of(c)`: the shape of the triangle of a corner, which comes first.
 template <typename Corners, typename ShapeOf>
 void collect_star(const Corners& corners, const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv,
