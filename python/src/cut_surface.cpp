@@ -10,7 +10,7 @@
 #include "chart_vertices.h"
 #include "pack.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "steiner_tree_checks.h"
 
 #include <CGAL/Random.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/steiner_tree.h>

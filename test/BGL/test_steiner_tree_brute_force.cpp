@@ -3,9 +3,9 @@
 #include "steiner_tree_checks.h"
 
 #include <CGAL/Random.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Dual_ascent.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Pruned_dynamic_program.h>
+#include <CGAL/boost/graph/internal/Steiner_tree/Set_search.h>
 #include <CGAL/boost/graph/steiner_tree.h>
 
 #include <boost/graph/adjacency_list.hpp>

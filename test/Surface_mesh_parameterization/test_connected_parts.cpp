@@ -2,7 +2,7 @@
 
 #include "../BGL/check.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Random.h>
 

@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
 #include <Eigen/LU>
 

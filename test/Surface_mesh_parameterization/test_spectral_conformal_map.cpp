@@ -6,7 +6,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 

@@ -5,8 +5,8 @@
 #include "charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers_impl.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 
 #include <CGAL/Random.h>

@@ -47,25 +47,16 @@ struct Bijective_method
 ///
 /// The class `Bijective_symmetric_Dirichlet_parameterizer_3` maps a surface with border one to one to
 /// the plane, with as little isometric distortion as possible. It minimizes the same energy as
-/// `Symmetric_Dirichlet_parameterizer_3`: the average of \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ over the
-/// area of the surface, where \f$ J \f$ is the Jacobian of a triangle.
+/// `Symmetric_Dirichlet_parameterizer_3`, whose result is the answer if it has no overlap.
 ///
-/// The border is free, but its image does not cross itself. No two triangles of the image overlap;
-/// exact predicates verify this. Parts of the border may touch. The surface may have any number of
-/// borders, but no handles.
+/// The border is free, but its image does not cross itself. No two triangles of the image overlap. Parts of the border may
+/// touch.
 ///
-/// If the result of `Symmetric_Dirichlet_parameterizer_3` has no overlap, it is the answer. Otherwise
-/// the method starts again from Tutte's embedding \cgalCite{cgal:t-hdg-63} of a simplified surface,
-/// which it refines without leaving the image found so far. A scaffold of triangles
-/// \cgalCite{cgal:jsp-scaf-17} surrounds the image: as long as none of them flips, the border cannot
-/// cross itself. Newton's method with analytically projected Hessians \cgalCite{cgal:gsc-plmo-18}
-/// optimizes image and scaffold together. The method rebuilds the scaffold every few steps, until the
-/// energy decreases by less than a thousandth. The result is a local minimum.
-///
-/// For \f$ n \f$ vertices, the method factorizes a few sparse matrices of about \f$ 2n \f$ rows in
-/// \f$ O(n^{1.5}) \f$ time and \f$ O(n \log n) \f$ memory each on usual meshes. Altogether it takes
-/// about three times as long as `Symmetric_Dirichlet_parameterizer_3`. Degenerate faces get a small
-/// height.
+/// Where there are overlaps, the method starts again from Tutte's embedding of a simplified surface, which it refines
+/// without leaving the image found so far. A scaffold of triangles \cgalCite{cgal:jsp-scaf-17} surrounds the image: as
+/// long as none of them flips, the border cannot cross itself. Newton's method optimizes image and scaffold together. The
+/// method rebuilds the scaffold every few steps, until the energy decreases by less than a thousandth. The result is a
+/// local minimum. Altogether it takes about three times as long as `Symmetric_Dirichlet_parameterizer_3`.
 ///
 /// \cgalModels{Parameterizer_3}
 ///

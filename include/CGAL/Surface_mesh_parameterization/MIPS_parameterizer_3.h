@@ -41,25 +41,13 @@ struct Conformal_method : Flip_free_method
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// The class `MIPS_parameterizer_3` implements the <em>most isometric parameterization</em> (MIPS)
-/// of a surface with border \cgalCite{cgal:hg-megpm-00}: the map to the plane that preserves angles
-/// as well as possible. It minimizes the average of \f$ \frac{1}{2} \|J\|_F^2 / \det J \f$ over the
-/// area of the surface, where \f$ J \f$ is the Jacobian of a triangle. This energy is 1 for a
-/// similarity and grows to infinity as a triangle degenerates.
+/// The class `MIPS_parameterizer_3` implements the <em>most isometric parameterization</em> (MIPS) of a surface with
+/// border \cgalCite{cgal:hg-megpm-00}: the map to the plane that preserves angles as well as possible. It minimizes
+/// the average of \f$ \frac{1}{2} \|J\|_F^2 / \det J \f$ over the area of the surface, where \f$ J \f$ is the Jacobian
+/// of a triangle. This energy is 1 for a similarity and grows to infinity as a triangle degenerates.
 ///
-/// The border is free. No triangle is flipped; exact predicates verify this. Distant parts of the
-/// image may overlap. The result has the area of the surface. The surface may have any number of
-/// borders, but no handles.
-///
-/// The method simplifies the surface by half-edge collapses, starts from Tutte's embedding
-/// \cgalCite{cgal:t-hdg-63} of the coarsest stage, and undoes the collapses, placing each vertex where
-/// it flips no triangle. Newton's method with analytically projected Hessians
-/// \cgalCite{cgal:gsc-plmo-18} optimizes each stage; its steps end before the first triangle flips
-/// \cgalCite{cgal:ss-bpfb-15}.
-///
-/// For \f$ n \f$ vertices, the method factorizes a sparse matrix of about \f$ 2n \f$ rows at most 200
-/// times, and usually fewer than ten times. Each factorization takes \f$ O(n^{1.5}) \f$ time and
-/// \f$ O(n \log n) \f$ memory on usual meshes. Degenerate faces get a small height.
+/// The border is free. No triangle is flipped. Distant parts of the image may overlap. The result has the area of the
+/// surface. `Free_border_parameterizer_3` describes method, time, and memory.
 ///
 /// \cgalModels{Parameterizer_3}
 ///

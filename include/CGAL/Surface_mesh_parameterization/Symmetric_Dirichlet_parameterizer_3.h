@@ -47,19 +47,9 @@ struct Isometric_method : Flip_free_method
 /// Jacobian of a triangle. This energy is 4 for a rigid motion and grows to infinity as a triangle
 /// degenerates.
 ///
-/// The border is free. No triangle is flipped; exact predicates verify this. Distant parts of the
-/// image may overlap; `Bijective_symmetric_Dirichlet_parameterizer_3` prevents that. The result has
-/// the scale at which its energy is smallest. The surface may have any number of borders, but no
-/// handles.
-///
-/// The method simplifies the surface by half-edge collapses, starts from Tutte's embedding
-/// \cgalCite{cgal:t-hdg-63} of the coarsest stage, and undoes the collapses, placing each vertex where
-/// it flips no triangle. Newton's method with analytically projected Hessians
-/// \cgalCite{cgal:gsc-plmo-18} optimizes each stage; its steps end before the first triangle flips.
-///
-/// For \f$ n \f$ vertices, the method factorizes a sparse matrix of about \f$ 2n \f$ rows at most 200
-/// times, and usually fewer than ten times. Each factorization takes \f$ O(n^{1.5}) \f$ time and
-/// \f$ O(n \log n) \f$ memory on usual meshes. Degenerate faces get a small height.
+/// The border is free. No triangle is flipped. Distant parts of the image may overlap;
+/// `Bijective_symmetric_Dirichlet_parameterizer_3` prevents that. The result has the scale at which its energy is smallest.
+/// `Free_border_parameterizer_3` describes method, time, and memory.
 ///
 /// \cgalModels{Parameterizer_3}
 ///

@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
@@ -88,8 +87,7 @@ Corners read_corners(const TriangleMesh& tmesh, const NamedParameters& np, ReadU
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Corners read_map(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
-                 const NamedParameters& np)
+Corners read_map(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, const NamedParameters& np)
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
@@ -118,29 +116,24 @@ double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the conformal distortion of a map from a surface to the plane: for each face the MIPS
-/// energy \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. The energy is 1 for a
-/// similarity, larger otherwise, and infinite where the image is not counterclockwise. The time is
-/// linear in the number of faces.
+/// computes the conformal distortion of a map from a surface to the plane: for each face the MIPS energy
+/// \f$ \frac{1}{2}\|J\|_F^2 / \det J \f$ of its Jacobian \f$ J \f$. The energy is 1 for a similarity, larger
+/// otherwise, and infinite where the image is not counterclockwise. The time is linear in the number of faces.
 ///
 /// A degenerate face gets a small height so that its energy is defined.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as
-///         value type
-/// \tparam FaceEnergyMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value
-///         type
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as value type
+/// \tparam FaceEnergyMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+///         as key type and `double` as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param halfedge_uv_map holds, at each halfedge `h` that is not on the border, the UV of the corner
 ///        of `face(h, tmesh)` at `target(h, tmesh)`
-/// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the
-///        average matters.
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-///        listed below
+/// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the average matters.
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -157,8 +150,7 @@ double compute_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
 /// \return the average of the energy over the area of the surface
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FaceEnergyMap,
           typename NamedParameters = parameters::Default_named_parameters>
-double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map,
-                           FaceEnergyMap face_energy_map,
+double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_map, FaceEnergyMap face_energy_map,
                            const NamedParameters& np = parameters::default_values())
 {
   using Energy = internal::MIPS_energy;
@@ -167,30 +159,25 @@ double compute_MIPS_energy(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv_
 
 /// \ingroup PkgSurfaceMeshCuttingParameterizersRef
 ///
-/// computes the isometric distortion of a map from a surface to the plane: for each face the
-/// symmetric Dirichlet energy \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ of its Jacobian \f$ J \f$. The energy
-/// is 4 for a rigid motion, larger otherwise, and infinite where the image is not counterclockwise.
-/// It depends on the scale of the UVs, see `best_isometric_scale()`. The time is linear in the number
-/// of faces.
+/// computes the isometric distortion of a map from a surface to the plane: for each face the symmetric Dirichlet
+/// energy \f$ \|J\|_F^2 + \|J^{-1}\|_F^2 \f$ of its Jacobian \f$ J \f$. The energy is 4 for a rigid motion, larger
+/// otherwise, and infinite where the image is not counterclockwise. It depends on the scale of the UVs, see
+/// `best_isometric_scale()`. The time is linear in the number of faces.
 ///
 /// A degenerate face gets a small height so that its energy is defined.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as
-///         value type
-/// \tparam FaceEnergyMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value
-///         type
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as value type
+/// \tparam FaceEnergyMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+///         as key type and `double` as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param halfedge_uv_map holds, at each halfedge `h` that is not on the border, the UV of the corner
 ///        of `face(h, tmesh)` at `target(h, tmesh)`
-/// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the
-///        average matters.
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-///        listed below
+/// \param face_energy_map receives the energies. Pass a `boost::dummy_property_map` if only the average matters.
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -223,15 +210,13 @@ double compute_symmetric_Dirichlet_energy(const TriangleMesh& tmesh, HalfedgeUVM
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as
-///         value type
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param halfedge_uv_map holds, at each halfedge `h` that is not on the border, the UV of the corner
 ///        of `face(h, tmesh)` at `target(h, tmesh)`
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-///        listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -263,19 +248,16 @@ double best_isometric_scale(const TriangleMesh& tmesh, HalfedgeUVMap halfedge_uv
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam FaceDistortionMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value
-///         type
+///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 /// \tparam VertexDistortionMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as
-///         value type
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface
 /// \param face_distortion_map holds the distortion of each face, as computed by
 ///        `compute_symmetric_Dirichlet_energy()` or `compute_MIPS_energy()`
 /// \param vertex_distortion_map receives the distortions of the vertices
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-///        listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}

@@ -24,11 +24,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What a map from nothing starts from. Should that fail, the other one is tried.
+// The start of a map from nothing. Should it fail, the other one is tried.
 enum class First_map
 {
   HIERARCHY,
@@ -61,8 +59,7 @@ public:
 
   Newton_result improve_conformally(std::vector<Eigen::Vector2d>& uv, const Newton_options& options);
 
-  // As isometric as possible, free border: KP-Newton on the symmetric Dirichlet energy from the same
-  // starts.
+  // As isometric as possible, free border: KP-Newton on the symmetric Dirichlet energy from the same starts.
   Newton_result isometric_map(std::vector<Eigen::Vector2d>& uv, const Newton_options& options);
 
   // The start of `isometric_map()`. False if no flip-free map was found or the run was stopped.
@@ -93,9 +90,7 @@ private:
   std::unique_ptr<Newton_solver> m_solver;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer_impl.h>

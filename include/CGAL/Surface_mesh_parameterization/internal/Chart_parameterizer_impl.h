@@ -16,22 +16,12 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
-#include <Eigen/Core>
-
-#include <memory>
-#include <vector>
-
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_INLINE_UNLESS_SEPARATE
 Newton_solver& Chart_parameterizer::solver()
@@ -58,12 +48,10 @@ template <typename Energy>
 bool Chart_parameterizer::first_map_found(std::vector<Eigen::Vector2d>& uv, const Newton_options& options,
                                           First_map first_map) const
 {
-  const auto map_by_tutte
-    = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), m_linear_solvers, uv); };
+  const auto map_by_tutte = [&] { return tutte_map(m_chart, m_points, surface_area(m_shapes), m_linear_solvers, uv); };
   if(first_map == First_map::TUTTE && map_by_tutte())
     return true;
-  const Stages_outcome outcome = hierarchical_map<Energy>(m_chart, m_points, m_linear_solvers, uv,
-                                                          options.go_further);
+  const Stages_outcome outcome = hierarchical_map<Energy>(m_chart, m_points, m_linear_solvers, uv, options.go_further);
   return outcome == Stages_outcome::MAPPED ||
          (outcome == Stages_outcome::FAILED && first_map != First_map::TUTTE && map_by_tutte());
 }
@@ -111,8 +99,6 @@ Newton_result Chart_parameterizer::improve_isometrically(std::vector<Eigen::Vect
   return solver().minimize<Symmetric_Dirichlet_energy>(m_shapes, m_weights, uv, options);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_PARAMETERIZER_IMPL_H

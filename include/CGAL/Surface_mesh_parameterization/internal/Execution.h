@@ -16,9 +16,7 @@
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 using CGAL::internal::Graph_kernel::Execution;
 using CGAL::internal::Graph_kernel::Go_further;
@@ -33,8 +31,6 @@ using CGAL::internal::Graph_kernel::number_of_blocks;
 using CGAL::internal::Graph_kernel::number_of_threads;
 using CGAL::internal::Graph_kernel::reduce_blocks;
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EXECUTION_H

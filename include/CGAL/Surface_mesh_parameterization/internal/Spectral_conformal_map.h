@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -29,9 +29,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Spectral conformal parameterization [Mullen et al. 2008]: among all maps whose border has unit
 // mass, the one of least conformal energy, Dirichlet energy minus area. With the place of a vertex as
@@ -95,8 +93,7 @@ public:
   { return Eigen::Vector2d(m_map[v].real(), m_map[v].imag()); }
 
 private:
-  void assemble_energy(const std::vector<Triangle>& triangles,
-                       const std::vector<Rest_shape>& shapes)
+  void assemble_energy(const std::vector<Triangle>& triangles, const std::vector<Rest_shape>& shapes)
   {
     std::vector<Eigen::Triplet<Complex> > entries;
     entries.reserve(6 * triangles.size() + m_masses.size());
@@ -109,8 +106,7 @@ private:
       for(int i = 0; i < 3; ++i)
         for(int j = 0; j < 3; ++j)
           if(triangles[t][i] >= triangles[t][j])
-            entries.emplace_back(triangles[t][i], triangles[t][j],
-                                 s.area * std::conj(d[i]) * d[j]);
+            entries.emplace_back(triangles[t][i], triangles[t][j], s.area * std::conj(d[i]) * d[j]);
     }
     m_energy.setFromTriplets(entries.begin(), entries.end()); // the lower half
     for(int v = 0; v < int(m_masses.size()); ++v)
@@ -170,10 +166,9 @@ private:
   Eigen::VectorXcd m_map;
 };
 
-// The spectral conformal map of a chart, scaled to the area of the surface. `number_of_flips`
-// receives how many triangles are flipped: usually none or a few, which `remove_flips()` puts
-// right, but several per cent where the map folds. False if there is no map of positive area, or
-// once `go_further()` does not want more.
+// The spectral conformal map of a chart, scaled to the area of the surface. `number_of_flips` receives how many
+// triangles are flipped: usually none or a few, which `remove_flips()` puts right, but several per cent where the map
+// folds. False if there is no map of positive area, or once `go_further()` does not want more.
 inline bool spectral_conformal_map(const Corner_table& chart, const std::vector<Rest_shape>& shapes,
                                    const Solvers& linear_solvers, std::vector<Eigen::Vector2d>& uv,
                                    int* number_of_flips = nullptr,
@@ -193,8 +188,6 @@ inline bool spectral_conformal_map(const Corner_table& chart, const std::vector<
   return true;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SPECTRAL_CONFORMAL_MAP_H

@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>
@@ -30,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Places the vertices of a closed border loop on the unit circle, spaced as on the surface.
 // `lengths` holds the length of each border edge.
@@ -155,8 +152,6 @@ inline bool tutte_map(const Corner_table& chart, const std::vector<Eigen::Vector
          count_flips(chart.triangles(), uv) == 0;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_TUTTE_EMBEDDING_H

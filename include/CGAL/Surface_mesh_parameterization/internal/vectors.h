@@ -22,9 +22,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 inline bool is_finite(const Eigen::Vector2d& p)
 {
@@ -66,7 +64,7 @@ inline double doubled_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, c
   return determinant(b - a, c - a);
 }
 
-// Of the points added; inside out while there are none.
+// The box around the points added; inside out while there are none.
 template <int Dimension>
 struct Bounding_box
 {
@@ -105,9 +103,8 @@ struct Bounding_box
   }
 };
 
-// The e for which the box has an extent in [1, 2) after division by 2^e; 0 for
-// a point. Scaling by a power of two loses no bit, and at this scale products of lengths neither
-// overflow nor underflow.
+// The e for which the box has an extent in [1, 2) after division by 2^e; 0 for a point. Scaling by a power of two
+// loses no bit, and at this scale products of lengths neither overflow nor underflow.
 inline int scale_exponent(const Bounding_box<3>& box)
 {
   // Halves, as the difference of two finite numbers may be infinite.
@@ -126,8 +123,6 @@ Vector scaled(Vector vector, int e)
   return vector;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_VECTORS_H

@@ -65,8 +65,7 @@ struct Shortest_path_heuristic_tag
 /// closure most, until none shortens it by more than `minimum_length_decrease`. Then connects all points.
 /// \f$ O((k + a) (m + n) \log n + a (k + a) n) \f$ time for \f$ a \f$ auxiliary points and
 /// \f$ O(m + (k + a) n) \f$ memory
-/// \tparam ConnectionTag how to connect the points in the end: `Metric_closure_tag` or
-///         `Shortest_path_heuristic_tag`
+/// \tparam ConnectionTag how to connect the points in the end: `Metric_closure_tag` or `Shortest_path_heuristic_tag`
 template <typename ConnectionTag = Metric_closure_tag>
 struct Greedy_auxiliary_points_tag
 {
@@ -232,9 +231,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename TerminalRange,
           typename EdgeOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-Steiner_tree::Result steiner_tree(const Graph& graph,
-                                  const TerminalRange& terminals,
-                                  EdgeOutputIterator tree_edges,
+Steiner_tree::Result steiner_tree(const Graph& graph, const TerminalRange& terminals, EdgeOutputIterator tree_edges,
                                   const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
@@ -248,8 +245,7 @@ Steiner_tree::Result steiner_tree(const Graph& graph,
   Steiner_tree::Default_visitor default_visitor;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
                                                        Steiner_tree::Default_visitor>::reference Visitor_reference;
-  Visitor_reference visitor =
-    choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   const auto index = choose_parameter(get_parameter(np, internal_np::vertex_index), get(boost::vertex_index, graph));
   const auto weight = choose_parameter(get_parameter(np, internal_np::edge_weight), get(boost::edge_weight, graph));
 

@@ -22,7 +22,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Spectral_conformal_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
 
 #include <algorithm>

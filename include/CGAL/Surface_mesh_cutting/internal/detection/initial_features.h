@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/detection/Candidate_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>

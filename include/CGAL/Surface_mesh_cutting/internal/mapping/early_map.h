@@ -51,8 +51,8 @@ inline bool early_map(const Problem& problem, const Corner_table& chart,
   const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map) { return is_bijective(chart, map, execution); };
   const std::vector<Point> points = chart_points(problem.mesh, chart);
   constexpr bool keeps_region = true;
-  return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, coarsest_size(chart.number_of_vertices()),
-                                                   solvers, optimize, is_valid, uv) == Stages_outcome::MAPPED ||
+  return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, solvers, optimize, is_valid, uv)
+           == Stages_outcome::MAPPED ||
          (tutte_map(chart, points, surface_area(problem.shapes), solvers, uv) && is_valid(uv));
 }
 

@@ -18,7 +18,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <Eigen/Core>

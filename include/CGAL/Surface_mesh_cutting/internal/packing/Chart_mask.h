@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_outline.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

@@ -16,7 +16,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

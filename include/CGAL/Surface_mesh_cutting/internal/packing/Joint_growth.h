@@ -16,8 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Contact_finder.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 

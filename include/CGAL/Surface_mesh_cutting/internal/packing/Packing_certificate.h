@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 

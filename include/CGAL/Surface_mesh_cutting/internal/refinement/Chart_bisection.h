@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>

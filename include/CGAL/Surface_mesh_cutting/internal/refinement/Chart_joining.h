@@ -24,10 +24,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>

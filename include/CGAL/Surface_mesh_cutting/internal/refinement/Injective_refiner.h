@@ -26,7 +26,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/bijective/open_injectively.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <Eigen/Core>

@@ -26,7 +26,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Map_measures.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>

@@ -22,7 +22,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/mapping/early_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Component_result.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>

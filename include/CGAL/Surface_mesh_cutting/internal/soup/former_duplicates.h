@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
 #include <utility>
 #include <vector>

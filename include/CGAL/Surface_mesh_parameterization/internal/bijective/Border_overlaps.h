@@ -15,7 +15,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/chart/Connected_parts.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/box_intersection_d.h>
@@ -28,25 +27,21 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Decides exactly whether the interiors of the parts of a flat, flip-free chart are disjoint and
 // each covers the plane at most once.
 //
-// This holds iff nowhere on the borders the surface at the left of one border reaches into the
-// surface at the left of another, and no part lies inside another. Such a reach is a proper
-// crossing of two segments, two segments on top of each other in the same direction, or a vertex on
-// a segment or another vertex where the two angles of surface overlap. Mere contact (angles that do
-// not overlap, segments on top of each other in opposite directions) is no overlap: the map is
-// injective up to contact.
+// This holds iff nowhere on the borders the surface at the left of one border reaches into the surface at the left of
+// another, and no part lies inside another. Such a reach is a proper crossing of two segments, two segments on top of
+// each other in the same direction, or a vertex on a segment or another vertex where the two angles of surface
+// overlap. Mere contact (angles that do not overlap, segments on top of each other in opposite directions) is no
+// overlap: the map is injective up to contact.
 class Border_overlaps
 {
 public:
   // `uv` is finite. O(n + (b + k) log b) for b border segments with k pairs of meeting boxes.
-  Border_overlaps(const Corner_table& chart, const Connected_parts& parts,
-                  const std::vector<Eigen::Vector2d>& uv)
+  Border_overlaps(const Corner_table& chart, const Connected_parts& parts, const std::vector<Eigen::Vector2d>& uv)
     : m_chart(chart), m_parts(parts), m_incoming(chart.number_of_vertices(), -1)
   {
     m_points.reserve(uv.size());
@@ -223,8 +218,6 @@ private:
   std::vector<std::pair<int, int> > m_crossings, m_containments;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_BORDER_OVERLAPS_H

@@ -20,9 +20,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 using Marked_kernel = Exact_predicates_inexact_constructions_kernel;
 
@@ -36,8 +34,6 @@ using Marked_triangulation = Constrained_Delaunay_triangulation_2<
     Triangulation_face_base_with_info_2<bool, Marked_kernel, Constrained_triangulation_face_base_2<Marked_kernel> > >,
   No_constraint_intersection_requiring_constructions_tag>;
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_MARKED_TRIANGULATION_H

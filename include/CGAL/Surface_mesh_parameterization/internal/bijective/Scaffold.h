@@ -25,13 +25,10 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A triangulation of what a flat chart leaves free of a box around it [JSP17]: its holes and its
-// outside. As long as no triangle of the chart and of the scaffold flips and the box stands still,
-// the borders of the chart cannot cross.
+// A triangulation of what a flat chart leaves free of a box around it [JSP17]: its holes and its outside. As long as
+// no triangle of the chart and of the scaffold flips and the box stands still, the borders of the chart cannot cross.
 class Scaffold
 {
 public:
@@ -66,8 +63,7 @@ private:
 
   Vertex_handle insert(int v, Face_handle hint)
   {
-    const Vertex_handle handle
-      = m_triangulation.insert(Point_2(m_points[v].x(), m_points[v].y()), hint);
+    const Vertex_handle handle = m_triangulation.insert(Point_2(m_points[v].x(), m_points[v].y()), hint);
     handle->info() = v;
     return handle;
   }
@@ -194,15 +190,12 @@ private:
     if(!(radius > largest_ratio * length))
       return;
     // Where the apex over this edge would just make the triangle good enough.
-    const double good_height
-      = length * (largest_ratio + std::sqrt(largest_ratio * largest_ratio - 0.25));
-    constexpr double clearance = 0.6; // of the base: closer points would make slimmer triangles
-    centers.push_back({origin + 0.5 * base + (std::min)(height, good_height) * normal,
-                       clearance * length});
+    const double good_height = length * (largest_ratio + std::sqrt(largest_ratio * largest_ratio - 0.25));
+    // Closer points would make slimmer triangles.
+    centers.push_back({origin + 0.5 * base + (std::min)(height, good_height) * normal, length / largest_ratio});
   }
 
-  static double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
-                                    const Eigen::Vector2d& b)
+  static double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   {
     const Eigen::Vector2d d = b - a;
     Eigen::Vector2d to_point = p - a;
@@ -262,8 +255,6 @@ private:
   std::vector<Eigen::Vector2d> m_points;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_SCAFFOLD_H

@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
@@ -27,16 +26,14 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Scaffold_options
 {
   // Ends when a round gains less than this fraction of the energy, or when the next one would.
   double decrease = 1e-3;
   int maximum_rounds = 30;
-  // What a factorization has to gain, as a fraction of the energy: the first one that gains less is the last of its round.
+  // A factorization that gains less than this fraction of the energy is the last of its round.
   double least_decrease = 0;
   // Known to be no larger than that of any injective map: nothing is done where there is less to gain than that.
   double least_energy = 0;
@@ -48,11 +45,10 @@ struct Scaffold_options
   Go_further go_further = always_go_further;
 };
 
-// Minimizes the symmetric Dirichlet energy of an injective map of a chart over injective maps
-// [JSP17]: the chart and its scaffold are one mesh, of which no triangle may flip. The scaffold has
-// the same energy with its current shape as the ideal one, so that it resists a change of shape but
-// exerts no force; it is made anew every few steps. Its total weight is small, and the same for all
-// of its triangles: thus a gap that closes keeps its resistance.
+// Minimizes the symmetric Dirichlet energy of an injective map of a chart over injective maps [JSP17]: the chart and
+// its scaffold are one mesh, of which no triangle may flip. The scaffold has the same energy with its current shape as
+// the ideal one, so that it resists a change of shape but exerts no force; it is made anew every few steps. Its total
+// weight is small, and the same for all of its triangles: thus a gap that closes keeps its resistance.
 class Scaffold_minimization
 {
 public:
@@ -160,14 +156,12 @@ private:
   const std::vector<double> m_weights;
   const Solvers& m_linear_solvers;
   const Scaffold_options& m_options;
-  // Of the vertices that the latest round could move: an order of elimination, which suits the next round, too. That of
+  // An order of elimination of the vertices that the latest round could move, which suits the next round, too. That of
   // the chart without its scaffold would not: it knows nothing of what joins the two sides of a gap.
   std::vector<int> m_ranks;
   Scaffold m_scaffold;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_SCAFFOLD_MINIMIZATION_H

@@ -20,24 +20,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Scaffold_minimization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/hierarchical_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/improve_stars.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <vector>
-
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_INLINE_UNLESS_SEPARATE
-bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv,
-                  Execution execution)
+bool is_bijective(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv, Execution execution)
 {
   if(count_flips(chart.triangles(), uv, nullptr, execution) > 0)
     return false;
@@ -52,25 +41,23 @@ inline Stages_outcome bijective_stages(const Corner_table& chart, const std::vec
                                        const Solvers& linear_solvers, const Scaffold_options& options,
                                        double hopeless_energy, std::vector<Eigen::Vector2d>& uv)
 {
-  // In coarse stages, parts of the chart still travel far, which they hardly can where triangles are small; these stages
-  // are cheap, and those of large charts are solved as tightly as the chart.
-  constexpr int largest_coarse_stage = 1000, coarse_fraction = 100, tight_fraction = 32;
-  const int largest_moving_stage = (std::max)(largest_coarse_stage, chart.number_of_vertices() / coarse_fraction);
-  const int largest_tight_stage = chart.number_of_vertices() / tight_fraction;
+  // In coarse stages, which cost little, parts of the chart still travel far, which they hardly can where triangles are
+  // small: these stages are solved as tightly as the chart, with scaffolds that move.
+  constexpr int largest_coarse_stage = 1000, coarse_fraction = 32;
+  const int largest_tight_stage = (std::max)(largest_coarse_stage, chart.number_of_vertices() / coarse_fraction);
   const auto optimize = [&](const Chart_hierarchy::Stage& stage, std::vector<Eigen::Vector2d>& stage_uv)
   {
     Scaffold_options stage_options = options;
-    if(stage.chart.number_of_vertices() > largest_tight_stage)
+    stage_options.moves_scaffold = stage.chart.number_of_vertices() <= largest_tight_stage;
+    if(!stage_options.moves_scaffold)
       stage_options.decrease = 1e-2; // the next stage goes on
-    stage_options.moves_scaffold = stage.chart.number_of_vertices() < largest_moving_stage;
     const Newton_result result = Scaffold_minimization(stage.chart, stage.shapes, linear_solvers, stage_options)(stage_uv);
     return result.energy > hopeless_energy ? Newton_outcome::STOPPED : result.outcome;
   };
   constexpr bool keeps_region = true;
   const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map)
   { return is_bijective(chart, map, linear_solvers.execution); };
-  return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, coarsest_size(chart.number_of_vertices()),
-                                                   linear_solvers, optimize, is_valid, uv);
+  return map_by_stages<Symmetric_Dirichlet_energy>(chart, points, keeps_region, linear_solvers, optimize, is_valid, uv);
 }
 
 // An injective map near the optimum, from the isometric one, which overlaps itself. The latter as a flat surface has all
@@ -85,9 +72,7 @@ inline bool bijective_start(const Corner_table& chart, const std::vector<Eigen::
   for(const Eigen::Vector2d& p : uv)
     flat.emplace_back(p.x(), p.y(), 0);
   Stages_outcome outcome = bijective_stages(chart, flat, linear_solvers, options, hopeless_energy, uv);
-  if(outcome == Stages_outcome::MAPPED)
-    improve_stars<Symmetric_Dirichlet_energy>(chart, shapes, uv, linear_solvers.execution);
-  else if(outcome == Stages_outcome::FAILED)
+  if(outcome == Stages_outcome::FAILED)
     outcome = bijective_stages(chart, points, linear_solvers, options, hopeless_energy, uv);
   if(outcome != Stages_outcome::FAILED)
     return outcome == Stages_outcome::MAPPED;
@@ -129,8 +114,6 @@ Newton_result bijective_map(const Corner_table& chart, const std::vector<Eigen::
   return make_bijective(chart, points, shapes, linear_solvers, uv, isometric, options);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BIJECTIVE_BIJECTIVE_MAP_IMPL_H

@@ -14,7 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 
 #include <Eigen/Core>
 
@@ -23,15 +24,13 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 using CGAL::internal::Graph_kernel::Buckets;
+using CGAL::internal::Graph_kernel::Disjoint_sets;
 using Triangle = std::array<int, 3>;
 
-// Halfedges are numbered by the corner they start from: halfedge 3t+k of triangle t leads
-// from corner k to corner k+1.
+// Halfedges are numbered by the corner they start from: halfedge 3t+k of triangle t leads from corner k to corner k+1.
 inline int next_halfedge(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline int previous_halfedge(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
@@ -45,8 +44,7 @@ public:
 
   // `open()` keeps all of this up to date. `opposites` has three entries per triangle.
   Corner_table(std::vector<Triangle> triangles, std::vector<int> opposites, int number_of_vertices)
-    : m_triangles(std::move(triangles)), m_opposites(std::move(opposites)),
-      m_origins(number_of_vertices)
+    : m_triangles(std::move(triangles)), m_opposites(std::move(opposites)), m_origins(number_of_vertices)
   {
     for(int v = 0; v < number_of_vertices; ++v)
       m_origins[v] = v;
@@ -73,14 +71,29 @@ public:
     return o < 0 ? -1 : next_halfedge(o);
   }
 
-  // The border halfedge that follows the border halfedge `h` along its loop, the surface on the
-  // left. O(valence).
+  // The border halfedge that follows the border halfedge `h` along its loop, the surface on the left. O(valence).
   int next_on_border(int h) const
   {
     h = next_halfedge(h);
     while(!is_border(h))
       h = next_halfedge(m_opposites[h]);
     return h;
+  }
+
+  // All halfedges that leave the source of `h`: counterclockwise, and from `h` on if it is on the border.
+  std::vector<int> ring(int h) const
+  {
+    constexpr std::size_t usual_valence = 8; // seldom more
+    std::vector<int> corners;
+    corners.reserve(usual_valence);
+    corners.push_back(h);
+    int c = next_around_source(h);
+    for(; c >= 0 && c != h; c = next_around_source(c))
+      corners.push_back(c);
+    if(c < 0)
+      for(c = previous_around_source(h); c >= 0; c = previous_around_source(c))
+        corners.push_back(c);
+    return corners;
   }
 
   // One entry per loop: its border halfedges in order; loops sorted by their lowest halfedge. O(n).
@@ -142,7 +155,7 @@ public:
     return result;
   }
 
-  // What `open()` changed, so that `close()` can take it back.
+  // Records the changes of `open()`, so that `close()` can take them back.
   struct Opening
   {
     std::vector<std::pair<int, int> > opposites; // halfedge, former opposite
@@ -186,22 +199,6 @@ public:
   }
 
 private:
-  // All halfedges that leave the source of `h`.
-  std::vector<int> ring(int h) const
-  {
-    constexpr std::size_t usual_valence = 8; // seldom more
-    std::vector<int> corners;
-    corners.reserve(usual_valence);
-    corners.push_back(h);
-    int c = next_around_source(h);
-    for(; c >= 0 && c != h; c = next_around_source(c))
-      corners.push_back(c);
-    if(c < 0)
-      for(c = previous_around_source(h); c >= 0; c = previous_around_source(c))
-        corners.push_back(c);
-    return corners;
-  }
-
   // Gives each fan that the corners of one former vertex form now a vertex of its own.
   void split(const std::vector<int>& corners, Opening& opening)
   {
@@ -244,7 +241,7 @@ inline Buckets<int> corners_at_vertices(const std::vector<Triangle>& triangles, 
           }};
 }
 
-// Of each halfedge, where its source lies: what remains when a chart is cut otherwise.
+// The place of the source of each halfedge, which remains when a chart is cut otherwise.
 inline std::vector<Eigen::Vector2d> corner_uvs(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv)
 {
   std::vector<Eigen::Vector2d> corners;
@@ -263,8 +260,45 @@ inline std::vector<Eigen::Vector2d> vertex_uvs(const Corner_table& chart, const 
   return uv;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+// The parts of a chart that edges connect which are not open; `part[t]` is the number of the part
+// that the triangle `t` belongs to. Parts are numbered in the order of their lowest triangles.
+struct Connected_parts
+{
+  std::vector<int> part;
+  int number = 0;
+
+  // `opposites` as in `Corner_table`. Nearly linear time.
+  explicit Connected_parts(const std::vector<int>& opposites)
+    : Connected_parts(opposites, [](int) { return false; })
+  {}
+
+  // The same without some triangles, which belong to part -1.
+  template <typename IsExcluded>
+  Connected_parts(const std::vector<int>& opposites, IsExcluded is_excluded)
+    : part(opposites.size() / 3, -1)
+  {
+    Disjoint_sets sets(int(part.size()));
+    for(int h = 0; h < int(opposites.size()); ++h)
+      if(const int o = opposites[h]; o >= 0 && o < h && !is_excluded(h / 3) && !is_excluded(o / 3))
+        sets.unite(h / 3, o / 3);
+    for(int t = 0; t < int(part.size()); ++t)
+      if(!is_excluded(t))
+      {
+        const int lowest = sets.find(t);
+        part[t] = lowest == t ? number++ : part[lowest];
+      }
+  }
+};
+
+// The part that each vertex belongs to; -1 for vertices of no triangle. No vertex is in two parts of a chart. O(n).
+inline std::vector<int> parts_of_vertices(const Corner_table& chart, const Connected_parts& parts)
+{
+  std::vector<int> result(chart.number_of_vertices(), -1);
+  for(int h = 0; h < int(chart.opposites().size()); ++h)
+    result[chart.source(h)] = parts.part[h / 3];
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_CORNER_TABLE_H

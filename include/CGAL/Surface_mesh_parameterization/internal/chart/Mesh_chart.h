@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A connected component of a mesh with border as index arrays: its chart, and for each chart vertex
 // the vertex of the mesh and its position, scaled to an extent of about one.
@@ -50,8 +48,7 @@ public:
   const Corner_table& chart() const { return m_chart; }
   const std::vector<Eigen::Vector3d>& points() const { return m_points; }
 
-  // Reads the component of the border halfedge `bhd`; says what keeps it from being mapped without
-  // flips. O(n).
+  // Reads the component of the border halfedge `bhd`; says what keeps it from being mapped without flips. O(n).
   Error_code read(const TriangleMesh& mesh, halfedge_descriptor bhd)
   {
     if(bhd == Graph_traits::null_halfedge() || is_border(opposite(bhd, mesh), mesh))
@@ -184,8 +181,6 @@ private:
   int m_exponent = 0; // of two
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_MESH_CHART_H

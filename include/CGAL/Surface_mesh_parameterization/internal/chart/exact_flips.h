@@ -25,30 +25,24 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The exact sign of the area of the triangle `abc` of finite points.
-inline Orientation exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                                     const Eigen::Vector2d& c)
+inline Orientation exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
   using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
   return orientation(Point_2(a.x(), a.y()), Point_2(b.x(), b.y()), Point_2(c.x(), c.y()));
 }
 
-// Whether the triangle `abc` is strictly counterclockwise; exact. Points that are not finite make
-// no such triangle.
-inline bool is_counterclockwise(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                                const Eigen::Vector2d& c)
+// Whether the triangle `abc` is strictly counterclockwise; exact. Points that are not finite make no such triangle.
+inline bool is_counterclockwise(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
   return is_finite(a) && is_finite(b) && is_finite(c) && exact_orientation(a, b, c) == COUNTERCLOCKWISE;
 }
 
 // The number of triangles that are not strictly counterclockwise, decided exactly; their indices
 // are appended to `witness`.
-inline int count_flips(const std::vector<Triangle>& triangles,
-                       const std::vector<Eigen::Vector2d>& uv,
+inline int count_flips(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector2d>& uv,
                        std::vector<int>* witness = nullptr, Execution execution = Execution::SEQUENTIAL)
 {
   const int size = int(triangles.size());
@@ -72,8 +66,6 @@ inline int count_flips(const std::vector<Triangle>& triangles,
   return flips;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CHART_EXACT_FLIPS_H

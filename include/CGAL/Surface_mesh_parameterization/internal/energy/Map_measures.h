@@ -16,7 +16,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/energy/face_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
@@ -30,9 +29,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The affine map J of a triangle of the surface to one of the plane.
 struct Triangle_stretch
@@ -100,11 +97,10 @@ public:
     : m_surface(surface), m_points(points), m_chart(chart), m_execution(execution),
       m_shapes(rest_shapes(surface, points, execution))
   {
-    constexpr double height_that_rounding_spoils = 1e-7; // of the longest edge: at most nine digits are left
     execute_blocks(execution, int(m_shapes.size()), [&](int begin, int end)
     {
       for(int f = begin; f < end; ++f)
-        if(!is_higher(surface[f], height_that_rounding_spoils))
+        if(!is_higher(surface[f], minimal_coarse_height))
           m_shapes[f].area = 0; // without weight in sums over the others
     });
     for(int f = 0; f < int(m_shapes.size()); ++f)
@@ -163,7 +159,7 @@ public:
     return result;
   }
 
-  // Of the map of each face, the larger one first; negative where a face has no area.
+  // Those of the map of each face, the larger one first; negative where a face has no area.
   std::vector<Eigen::Vector2d> singular_values(const std::vector<Eigen::Vector2d>& uv) const
   {
     std::vector<Eigen::Vector2d> result;
@@ -225,8 +221,6 @@ private:
   std::vector<Thin_face> m_thin;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_MAP_MEASURES_H

@@ -26,9 +26,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A triangle laid flat: the gradients of its three hat functions and its area. A map with corner
 // values u_i has the Jacobian sum of u_i g_i^T.
@@ -39,8 +37,7 @@ struct Rest_shape
 };
 
 // From the corners of a flat, counterclockwise triangle.
-inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                             const Eigen::Vector2d& c)
+inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
   const double twice_area = doubled_area(a, b, c);
   const auto gradient = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t)
@@ -48,10 +45,11 @@ inline Rest_shape rest_shape(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   return Rest_shape{gradient(b, c), gradient(c, a), gradient(a, b), 0.5 * twice_area};
 }
 
-// Of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates are
-// rounded to 1e-16 of the whole.
+// The least height of a triangle over its longest edge. Thinner ones cannot be told from flipped ones where coordinates
+// are rounded to 1e-16 of the whole.
 constexpr double minimal_height = 1e-10;
-// Of coarser versions, whose flattest triangles simplification made: a rough shape does, and is easier to map.
+// Rounding spoils what is smaller against its surroundings: at most nine digits are left. Coarser versions, whose
+// flattest triangles simplification made, get at least this height: a rough shape does, and is easier to map.
 constexpr double minimal_coarse_height = 1e-7;
 
 // From the corners of a surface triangle. One edge is laid along the x axis; needles and caps get at least the
@@ -82,7 +80,6 @@ inline Rest_shape rest_shape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 inline double minimal_edge(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& points,
                            Execution execution = Execution::SEQUENTIAL)
 {
-  constexpr double share = 1e-7;
   const double sum = reduce_blocks(execution, int(triangles.size()), 0., [&](int begin, int end)
   {
     double lengths = 0;
@@ -90,7 +87,7 @@ inline double minimal_edge(const std::vector<Triangle>& triangles, const std::ve
       lengths += (points[triangles[f][1]] - points[triangles[f][0]]).norm();
     return lengths;
   }, std::plus<double>());
-  return sum > 0 ? share * sum / double(triangles.size()) : share;
+  return minimal_coarse_height * (sum > 0 ? sum / double(triangles.size()) : 1);
 }
 
 // The shapes of all triangles of a surface in space.
@@ -152,16 +149,13 @@ inline std::vector<double> area_weights(const std::vector<Rest_shape>& shapes)
   return weights;
 }
 
-inline void scale_to_area(const std::vector<Triangle>& triangles, double area,
-                          std::vector<Eigen::Vector2d>& uv)
+inline void scale_to_area(const std::vector<Triangle>& triangles, double area, std::vector<Eigen::Vector2d>& uv)
 {
   const double factor = std::sqrt(area / chart_area(triangles, uv));
   for(Eigen::Vector2d& u : uv)
     u *= factor;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_REST_SHAPES_H

@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
+#include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
 
 #include <Eigen/Core>
@@ -21,10 +23,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Value and derivatives of an energy of the two numbers x = |f_z|^2 and y = |f_z̄|^2 of an affine
 // map; the determinant is x - y, the squared Frobenius norm 2 (x + y).
@@ -47,8 +48,7 @@ struct MIPS_energy
   }
 };
 
-// The isometric energy [SS15]: |J|^2 + |J^-1|^2 = 2 (x + y) (1 + 1 / (x - y)^2),
-// ideally 4.
+// The isometric energy [SS15]: |J|^2 + |J^-1|^2 = 2 (x + y) (1 + 1 / (x - y)^2), ideally 4.
 struct Symmetric_Dirichlet_energy
 {
   static constexpr double ideal = 4;
@@ -71,8 +71,7 @@ struct Symmetric_Dirichlet_energy
   }
 };
 
-// The derivatives of the affine map of a triangle with respect to z and conjugate(z), as vectors
-// of the plane.
+// The derivatives of the affine map of a triangle with respect to z and conjugate(z), as vectors of the plane.
 struct Wirtinger_derivatives
 {
   Eigen::Vector2d z, conjugate;
@@ -93,9 +92,8 @@ inline Wirtinger_derivatives wirtinger_derivatives(const Rest_shape& s, const Ei
           Eigen::Vector2d(0.5 * (xx - yy), 0.5 * (xy + yx))};
 }
 
-// The 4x4 Hessian of an energy E(x, y) in (f_z, f_z̄) splits: one eigenvalue across each of the two
-// vectors, and a 2x2 block in their directions. KP-Newton [GSC18] sets negative eigenvalues to zero,
-// here in closed form.
+// The 4x4 Hessian of an energy E(x, y) in (f_z, f_z̄) splits: one eigenvalue across each of the two vectors, and a 2x2
+// block in their directions. KP-Newton [GSC18] sets negative eigenvalues to zero, here in closed form.
 struct Projected_hessian
 {
   double across_z, across_conjugate; // eigenvalues
@@ -230,8 +228,89 @@ double triangle_gradient(const Rest_shape& shape, const Eigen::Vector2d& u0, con
   return e.value;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+// The energy of each triangle, infinite where the image is not counterclockwise.
+template <typename Energy>
+std::vector<double> face_energies(const std::vector<Rest_shape>& shapes, const std::vector<Triangle>& triangles,
+                                  const std::vector<Eigen::Vector2d>& uv,
+                                  Execution execution = Execution::SEQUENTIAL)
+{
+  std::vector<double> energies(shapes.size());
+  execute_blocks(execution, int(shapes.size()), [&](int begin, int end)
+  {
+    for(int t = begin; t < end; ++t)
+    {
+      const Triangle& v = triangles[t];
+      const Wirtinger_derivatives d = wirtinger_derivatives(shapes[t], uv[v[0]], uv[v[1]], uv[v[2]]);
+      const double x = d.x(), y = d.y();
+      energies[t] = x > y ? Energy::value(x, y) : std::numeric_limits<double>::infinity();
+    }
+  });
+  return energies;
+}
+
+// The average over the area of the surface.
+inline double area_average(const std::vector<Rest_shape>& shapes, const std::vector<double>& energies)
+{
+  double sum = 0, area = 0;
+  for(std::size_t t = 0; t < shapes.size(); ++t)
+  {
+    sum += shapes[t].area * energies[t];
+    area += shapes[t].area;
+  }
+  return sum / area;
+}
+
+// The sums of area |J|^2 and area |J^-1|^2, which decide on the best scale of a map.
+struct Stretch_sums
+{
+  double stretch = 0, compression = 0;
+
+  // The factor to multiply the map with, so that its area-averaged symmetric Dirichlet energy becomes as
+  // small as possible: that of |sJ|^2 + |(sJ)^-1|^2 = s^2 |J|^2 + s^-2 |J^-1|^2.
+  double best_scale() const { return std::sqrt(std::sqrt(compression / stretch)); }
+};
+
+// Those of a flip-free map.
+inline Stretch_sums stretch_sums(const std::vector<Rest_shape>& shapes, const std::vector<Triangle>& triangles,
+                                 const std::vector<Eigen::Vector2d>& uv)
+{
+  Stretch_sums sums;
+  for(std::size_t t = 0; t < shapes.size(); ++t)
+  {
+    const Triangle& v = triangles[t];
+    const Wirtinger_derivatives d = wirtinger_derivatives(shapes[t], uv[v[0]], uv[v[1]], uv[v[2]]);
+    const double squared_norm = 2 * (d.x() + d.y()), determinant = d.x() - d.y();
+    sums.stretch += shapes[t].area * squared_norm;
+    sums.compression += shapes[t].area * squared_norm / (determinant * determinant);
+  }
+  return sums;
+}
+
+inline double best_scale(const std::vector<Rest_shape>& shapes, const std::vector<Triangle>& triangles,
+                         const std::vector<Eigen::Vector2d>& uv)
+{
+  return stretch_sums(shapes, triangles, uv).best_scale();
+}
+
+// The average over the triangles at each vertex, weighted by area; 0 at an isolated vertex.
+inline std::vector<double> vertex_averages(const std::vector<Rest_shape>& shapes,
+                                           const std::vector<Triangle>& triangles,
+                                           const std::vector<double>& face_values,
+                                           int number_of_vertices)
+{
+  std::vector<double> sums(number_of_vertices, 0), areas(number_of_vertices, 0);
+  for(std::size_t t = 0; t < shapes.size(); ++t)
+    for(int v : triangles[t])
+    {
+      sums[v] += shapes[t].area * face_values[t];
+      areas[v] += shapes[t].area;
+    }
+  for(int v = 0; v < number_of_vertices; ++v)
+    if(areas[v] > 0)
+      sums[v] /= areas[v];
+  return sums;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ENERGY_TRIANGLE_ENERGY_H

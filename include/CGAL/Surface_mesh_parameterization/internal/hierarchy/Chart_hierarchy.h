@@ -16,10 +16,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/Rest_shapes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_regions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Chart_simplification.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Flip_collapse.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/stars.h>
 
 #include <Eigen/Core>
 
@@ -30,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A chart at all resolutions between a few triangles and its own: half-edge collapses (border only
 // along the border), undone one after the other with the vertex placed inside the kernel of its
@@ -78,8 +75,7 @@ public:
     return m_number_of_vertices;
   }
 
-  // Collapses what is flipped under `uv` (over the vertices of the whole chart) instead. False if
-  // flips remain.
+  // Collapses what is flipped under `uv` (over the vertices of the whole chart) instead. False if flips remain.
   bool collapse_flips(const std::vector<Eigen::Vector2d>& uv, int maximum_number_of_collapses)
   {
     Phase phase(1);
@@ -182,7 +178,7 @@ private:
       {
         const int v = m_hierarchy->m_chart.undo(log);
         m_placed.push_back(v);
-        m_hierarchy->collect_star(v, *m_uv, [this](int h) { return m_hierarchy->shape(h); }, m_fan, m_star);
+        collect(v, [this](int h) { return m_hierarchy->shape(h); });
         if(!place(m_star, (*m_uv)[v]))
           return false;
       }
@@ -192,16 +188,26 @@ private:
     // Places the vertices once more: their stars have changed.
     void improve(const Shapes& shapes)
     {
-      const auto shape_from = [&shapes](int h) { return rotated(shapes[h / 3], h % 3); };
+      const auto shape_of = [&shapes](int h) { return rotated(shapes[h / 3], h % 3); };
       for(int v : m_placed)
         if(!m_hierarchy->m_keeps_region || !m_hierarchy->m_chart.is_on_border(v))
         {
-          m_hierarchy->collect_star(v, *m_uv, shape_from, m_fan, m_star);
+          collect(v, shape_of);
           Star_placement<Energy>::improve(m_star, (*m_uv)[v]);
         }
     }
 
   private:
+    template <typename ShapeOf>
+    void collect(int v, const ShapeOf& shape_of)
+    {
+      const Collapsible_chart& chart = m_hierarchy->m_chart;
+      chart.fan(v, m_fan);
+      collect_star(m_fan, chart.triangles(), *m_uv, shape_of, m_star);
+      if(m_hierarchy->m_keeps_region && chart.is_on_border(v))
+        m_star.push_back(wall(m_star));
+    }
+
     Chart_hierarchy* m_hierarchy;
     std::vector<Eigen::Vector2d>* m_uv;
     std::vector<int> m_placed, m_fan;
@@ -265,15 +271,14 @@ private:
   }
 
   // Down to about `size` vertices, by a certain share at a time: the next regions are larger, so that most of what was at
-  // the edge of one is inside then.
+  // the edge of one is inside then. Ends where borders and edges of regions hold most vertices.
   void coarsen_in_regions(int size, const Chart_simplification& simplification, std::vector<char>& may_go)
   {
-    constexpr double about = 1.1, least_success = 0.5; // of the size, and of what should go
-    for(bool goes_on = true; goes_on && m_number_of_vertices > about * size;)
+    for(bool goes_on = true; goes_on && m_number_of_vertices > size;)
     {
       const int former = m_number_of_vertices, wanted = former - (std::max)(size, int(least_share * former));
       coarsen_regions(wanted, simplification, may_go);
-      goes_on = former - m_number_of_vertices > least_success * wanted;
+      goes_on = former - m_number_of_vertices > least_share * wanted;
     }
   }
 
@@ -335,19 +340,6 @@ private:
     return shapes;
   }
 
-  // `shape_from(h)`: the shape of the triangle of `h`, corner 0 at the source of `h`.
-  template <typename ShapeFrom>
-  void collect_star(int v, const std::vector<Eigen::Vector2d>& uv, const ShapeFrom& shape_from, std::vector<int>& fan,
-                    std::vector<Star_triangle>& star) const
-  {
-    m_chart.fan(v, fan);
-    star.clear();
-    for(int h : fan)
-      star.push_back({uv[m_chart.target(h)], uv[m_chart.source(previous_halfedge(h))], shape_from(h)});
-    if(m_keeps_region && m_chart.is_on_border(v))
-      star.push_back(wall(star));
-  }
-
   // Keeps a border vertex on the left of the edge that its collapse made of its two border edges.
   // That region has a kernel unless the vertex is the tip of a single triangle.
   static Star_triangle wall(const std::vector<Star_triangle>& star)
@@ -374,8 +366,6 @@ private:
   std::vector<Phase> m_phases; // none without collapses
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_CHART_HIERARCHY_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Squared distances to a set of planes, weighted [Garland, Heckbert 1997].
 struct Quadric
@@ -86,7 +84,7 @@ inline void add_planes(const Collapsible_chart& chart, const std::vector<Eigen::
   }
 }
 
-// Of all vertices. Sums have the order of the triangles, whatever the number of threads.
+// The quadrics of all vertices. Sums have the order of the triangles, whatever the number of threads.
 inline std::vector<Quadric> vertex_quadrics(const Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points,
                                             Execution execution)
 {
@@ -198,12 +196,10 @@ private:
     return none;
   }
 
-  // Whether no remaining triangle turns over or becomes a needle.
+  // Whether no remaining triangle turns over, or becomes a needle or a worse one.
   bool keeps_shape(int v, const Neighborhood& around, int j) const
   {
-    constexpr double smallest_cosine = 0.2; // between the normals before and after
-    constexpr double good_quality = 0.15;   // enough for any triangle
-    constexpr double kept_quality = 0.5;    // of a worse triangle, relative
+    constexpr double good_quality = 0.15; // enough for any triangle
     const Eigen::Vector3d &p = m_points[v], &q = m_points[around.ring[j]];
     const int size = int(around.ring.size());
     for(int i = 0; i < int(around.fan.size()); ++i)
@@ -214,9 +210,7 @@ private:
       const Eigen::Vector3d &a = m_points[around.ring[i]], &b = m_points[around.ring[next]];
       const Eigen::Vector3d edge = b - a;
       const Eigen::Vector3d before = cross_product(edge, p - a), after = cross_product(edge, q - a);
-      if(before.dot(after) < smallest_cosine * before.norm() * after.norm())
-        return false;
-      if(quality(edge, q - a, after) < (std::min)(good_quality, kept_quality * quality(edge, p - a, before)))
+      if(before.dot(after) < 0 || quality(edge, q - a, after) < (std::min)(good_quality, quality(edge, p - a, before)))
         return false;
     }
     return true;
@@ -237,7 +231,7 @@ private:
       m_queue.push(c);
   }
 
-  // False if what is around the target does not allow it any more. What is around the vertex must not have changed.
+  // False if the surroundings of the target do not allow it any more. Those of the vertex must not have changed.
   bool collapse(const Candidate& c, Collapse_log& log)
   {
     find_neighborhood(c.vertex, m_around);
@@ -261,8 +255,85 @@ private:
   Neighborhood m_around;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+// Divides the vertices of a large chart into regions of neighbors, about equally large: boxes are halved across their
+// longest side. Changes of the inner vertices of a region, all of whose triangles are in it, do not touch the
+// others, so that threads work on regions at the same time. A small chart is not divided.
+class Chart_regions
+{
+public:
+  // Divides the chart as far as it is not collapsed. `points`: of all its vertices.
+  Chart_regions(const Collapsible_chart& chart, const std::vector<Eigen::Vector3d>& points, Execution execution)
+  {
+    // With what belongs to so many vertices, a core's own cache is not full. Smaller regions have too many at their edges.
+    constexpr int largest = 4096;
+    std::vector<int> vertices = chart.vertices_in_use();
+    if(int(vertices.size()) <= largest)
+      return;
+    m_starts = {0, int(vertices.size())};
+    while(m_starts[1] > largest)
+      halve(points, execution, vertices);
+    keep_inner(chart, execution, vertices, int(points.size()));
+  }
+
+  int size() const { return int(m_inner.size()); }
+
+  // The number of vertices of a region, and those of them that are inner ones, in ascending order.
+  int number_of_vertices(int r) const { return m_starts[r + 1] - m_starts[r]; }
+  const std::vector<int>& inner_vertices(int r) const { return m_inner[r]; }
+
+private:
+  // Ties by index: the same regions everywhere.
+  void halve(const std::vector<Eigen::Vector3d>& points, Execution execution, std::vector<int>& vertices)
+  {
+    const int number = int(m_starts.size()) - 1;
+    std::vector<int> starts(2 * number + 1);
+    execute(execution, number, [&](int r)
+    {
+      const auto begin = vertices.begin() + m_starts[r], end = vertices.begin() + m_starts[r + 1];
+      const auto middle = begin + (end - begin) / 2;
+      Bounding_box<3> box;
+      for(auto v = begin; v != end; ++v)
+        box.add(points[*v]);
+      int axis;
+      box.size().maxCoeff(&axis);
+      std::nth_element(begin, middle, end, [&](int v, int w)
+                       { return points[v][axis] != points[w][axis] ? points[v][axis] < points[w][axis] : v < w; });
+      starts[2 * r + 1] = int(middle - vertices.begin());
+      starts[2 * r + 2] = m_starts[r + 1];
+    });
+    m_starts = std::move(starts);
+  }
+
+  void keep_inner(const Collapsible_chart& chart, Execution execution, const std::vector<int>& vertices,
+                  int number_of_all_vertices)
+  {
+    const int number = int(m_starts.size()) - 1;
+    std::vector<int> region(number_of_all_vertices, -1);
+    for(int r = 0; r < number; ++r)
+      for(int i = m_starts[r]; i < m_starts[r + 1]; ++i)
+        region[vertices[i]] = r;
+    std::vector<char> is_inner(number_of_all_vertices, 1);
+    for(int f = 0; f < int(chart.triangles().size()); ++f)
+    {
+      const Triangle& t = chart.triangles()[f];
+      if(!chart.is_dormant(f) && (region[t[0]] != region[t[1]] || region[t[0]] != region[t[2]]))
+        for(int v : t)
+          is_inner[v] = 0;
+    }
+    m_inner.resize(number);
+    execute(execution, number, [&](int r)
+    {
+      for(int i = m_starts[r]; i < m_starts[r + 1]; ++i)
+        if(is_inner[vertices[i]])
+          m_inner[r].push_back(vertices[i]);
+      std::sort(m_inner[r].begin(), m_inner[r].end());
+    });
+  }
+
+  std::vector<int> m_starts{0};
+  std::vector<std::vector<int> > m_inner;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_CHART_SIMPLIFICATION_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Half-edge collapses in their order, with all that it takes to undo them.
 struct Collapse_log
@@ -95,8 +93,7 @@ public:
     while(h >= 0 && h != first);
   }
 
-  // The neighbors of `v` counterclockwise, from its fan; a border vertex has one more neighbor than
-  // halfedges.
+  // The neighbors of `v` counterclockwise, from its fan; a border vertex has one more neighbor than halfedges.
   void ring(int v, const std::vector<int>& fan, std::vector<int>& neighbors) const
   {
     neighbors.clear();
@@ -255,8 +252,6 @@ private:
   std::vector<int> m_halfedges; // per vertex, one that leaves it; on the border the border one
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_COLLAPSIBLE_CHART_H

@@ -24,9 +24,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Takes flipped triangles out of a chart by half-edge collapses of their vertices, as progressive
 // embedding does [SJZP19]. Undone with each vertex in the kernel of its star, the collapses leave a
@@ -130,8 +128,6 @@ private:
   std::vector<int> m_fan, m_ring;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_FLIP_COLLAPSE_H

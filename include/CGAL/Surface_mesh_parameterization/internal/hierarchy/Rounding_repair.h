@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/chart/exact_flips.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/star_placement.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/stars.h>
 
 #include <Eigen/Core>
 
@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Rounds UVs to the caller's number type, as `float`, so that no triangle flips: where one does, a
 // vertex of it moves towards the middle of the kernel of its star, no farther than needed.
@@ -85,7 +83,7 @@ private:
   // Whether fewer triangles around the vertex are flipped now.
   bool improve(int v, std::vector<Eigen::Vector2d>& uv)
   {
-    constexpr double shortest_move = 1e-6, growth = 4; // of the way to the middle: from what `float` resolves
+    constexpr double shortest_move = 1e-6; // of the way to the middle: what `float` resolves
     Eigen::Vector2d middle;
     if((v < int(m_is_fixed.size()) && m_is_fixed[v]) || !kernel_centroid(v, uv, middle))
       return false;
@@ -93,7 +91,7 @@ private:
     Eigen::Vector2d best = former;
     const int former_number = number_of_flips_around(v, uv);
     int least = former_number;
-    for(double share = shortest_move; least > 0; share *= growth)
+    for(double share = shortest_move; least > 0; share *= 2)
     {
       uv[v] = former + (share < 1 ? share : 1) * to_middle;
       if(v < m_number_of_rounded)
@@ -113,15 +111,7 @@ private:
 
   bool kernel_centroid(int v, const std::vector<Eigen::Vector2d>& uv, Eigen::Vector2d& middle)
   {
-    const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
-    const Rest_shape no_shape{zero, zero, zero, 0}; // the kernel does not depend on it
-    m_star.clear();
-    for(int c : m_corners[v])
-    {
-      const Triangle& t = m_triangles[c / 3];
-      const int k = c % 3;
-      m_star.push_back({uv[t[(k + 1) % 3]], uv[t[(k + 2) % 3]], no_shape});
-    }
+    collect_star(m_corners[v], m_triangles, uv, [](int) { return no_shape(); }, m_star);
     return m_placement.kernel_centroid(m_star, middle);
   }
 
@@ -135,8 +125,6 @@ private:
   Star_placement<Symmetric_Dirichlet_energy> m_placement;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_ROUNDING_REPAIR_H

@@ -27,9 +27,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 inline std::vector<Eigen::Vector2d> restricted(const std::vector<Eigen::Vector2d>& uv, const std::vector<int>& vertices)
 {
@@ -47,6 +45,21 @@ inline void extend(const std::vector<Eigen::Vector2d>& stage_uv, const std::vect
 }
 
 constexpr int growth_of_stages = 4; // each has to be ordered and factorized
+
+inline int next_smaller_stage(int number_of_vertices)
+{
+  return (number_of_vertices + growth_of_stages - 1) / growth_of_stages;
+}
+
+// The number of vertices of the coarsest stage, from which growth by a constant factor ends at the whole chart: a stage
+// of almost as many vertices as that would cost as much, for nothing. Tutte's embedding of so few is cheap and sound.
+inline int coarsest_size(int number_of_vertices)
+{
+  constexpr int largest = 500;
+  while(number_of_vertices > largest)
+    number_of_vertices = next_smaller_stage(number_of_vertices);
+  return number_of_vertices;
+}
 
 enum class Stages_outcome { MAPPED, FAILED, STOPPED };
 
@@ -75,26 +88,27 @@ Stages_outcome map_by_stages(Chart_hierarchy& hierarchy, int coarsest_size,
   return Stages_outcome::MAPPED;
 }
 
-// A map from nothing: the coarsest stage of the hierarchy is mapped by Tutte's embedding, each stage
-// is optimized by `optimize(stage, uv)` and handed to the next, four times as large. `uv` is near the
-// optimum on return, but not optimized at full resolution. In floating point Tutte's embedding collapses where
-// many vertices hang on few, as around one with a hundred neighbors: should a stage not be mapped, optimized or
-// extended to a map that is `is_valid(uv)`, all is done again from a coarser one. `optimize` returns how
-// it ended.
+// A map from nothing: the coarsest stage of the hierarchy is mapped by Tutte's embedding, each stage is optimized by
+// `optimize(stage, uv)` and handed to the next, four times as large. `uv` is near the optimum on return, but not
+// optimized at full resolution. In floating point Tutte's embedding collapses where many vertices hang on few, as
+// around one with a hundred neighbors: should a stage not be mapped, optimized or extended to a map that is
+// `is_valid(uv)`, all is done again from a coarser one. `optimize` returns how it ended.
 template <typename Energy, typename Optimize, typename IsValid>
 Stages_outcome map_by_stages(const Corner_table& chart, const std::vector<Eigen::Vector3d>& points, bool keeps_region,
-                             int usual_coarsest_size, const Solvers& linear_solvers, const Optimize& optimize,
-                             const IsValid& is_valid, std::vector<Eigen::Vector2d>& uv)
+                             const Solvers& linear_solvers, const Optimize& optimize, const IsValid& is_valid,
+                             std::vector<Eigen::Vector2d>& uv)
 {
-  for(int coarsest_size : {usual_coarsest_size, 60, 15, 4})
+  constexpr int least = 4; // vertices
+  for(int size = coarsest_size(chart.number_of_vertices());; size = next_smaller_stage(size))
   {
     uv.assign(chart.number_of_vertices(), Eigen::Vector2d::Zero());
     Chart_hierarchy hierarchy(chart, points, keeps_region, linear_solvers.execution);
-    const Stages_outcome outcome = map_by_stages<Energy>(hierarchy, coarsest_size, linear_solvers, optimize, uv);
+    const Stages_outcome outcome = map_by_stages<Energy>(hierarchy, size, linear_solvers, optimize, uv);
     if(outcome == Stages_outcome::STOPPED || (outcome == Stages_outcome::MAPPED && is_valid(uv)))
       return outcome;
+    if(size <= least)
+      return Stages_outcome::FAILED;
   }
-  return Stages_outcome::FAILED;
 }
 
 // A flip-free map of low energy. Coarse stages are solved tightly: the slow modes of charts far from
@@ -114,8 +128,7 @@ Stages_outcome hierarchical_map(const Corner_table& chart, const std::vector<Eig
   };
   const auto is_valid = [&](const std::vector<Eigen::Vector2d>& map)
   { return count_flips(chart.triangles(), map, nullptr, linear_solvers.execution) == 0; };
-  constexpr int coarsest_size = 250;
-  return map_by_stages<Energy>(chart, points, false, coarsest_size, linear_solvers, optimize, is_valid, uv);
+  return map_by_stages<Energy>(chart, points, false, linear_solvers, optimize, is_valid, uv);
 }
 
 // Makes a map with a few flipped triangles flip-free, by progressive embedding [SJZP19]: vertices
@@ -132,8 +145,6 @@ inline bool remove_flips(const Corner_table& chart, const std::vector<Eigen::Vec
          count_flips(chart.triangles(), uv) == 0;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHICAL_MAP_H

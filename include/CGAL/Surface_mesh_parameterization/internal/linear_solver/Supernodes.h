@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The rows of the entries in each column of the upper triangle of a matrix, the diagonal included.
 struct Upper_pattern
@@ -104,7 +102,7 @@ public:
   { return m_node_size * (m_supernodes[s + 1].first_row - m_supernodes[s].first_row); }
   int height(int s) const { return width(s) + number_of_rows_below(s); }
   int parent(int s) const { return m_parents[s]; } // -1 at roots
-  // Of the rows below the supernode, their places in its parent, whose own columns come first.
+  // The places of the rows below the supernode in its parent, whose own columns come first.
   const int* rows_in_parent(int s) const
   { return m_rows_in_parent.data() + std::size_t(m_node_size) * m_supernodes[s].first_row; }
 
@@ -287,8 +285,7 @@ private:
       const double rows_of_child = latest.first_row - child.first_row, total = end - child.first_node;
       if(rows_of_child == 0 || m_rows_below[child.first_row] >= end)
         return;
-      const double zeros
-        = child.zeros + latest.zeros + width * (end - latest.first_node + rows_below - rows_of_child);
+      const double zeros = child.zeros + latest.zeros + width * (end - latest.first_node + rows_below - rows_of_child);
       if(zeros > bearable_share(m_node_size * int(total)) * (0.5 * total * (total + 1) + total * rows_below))
         return;
       m_rows_below.erase(m_rows_below.begin() + child.first_row, m_rows_below.begin() + latest.first_row);
@@ -359,8 +356,6 @@ private:
   std::vector<int> m_rows_in_parent;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_SUPERNODES_H

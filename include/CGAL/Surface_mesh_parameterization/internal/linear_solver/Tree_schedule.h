@@ -25,9 +25,7 @@
 #include <tbb/task_group.h>
 #endif
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Visits the nodes of a forest in postorder, children before parents or the other way round, independent subtrees
 // at the same time. Small subtrees are one task, each node above them is one; all nodes are, if there is little work.
@@ -162,8 +160,6 @@ private:
   std::vector<Task> m_tasks;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SOLVER_TREE_SCHEDULE_H

@@ -28,13 +28,10 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Adapters of the solvers that a program can give: those with the interface of Eigen's sparse solvers,
-// those that hold such a solver, as CGAL's `Eigen_solver_traits`, and any other model of
-// `SparseLinearAlgebraWithFactorTraits_d`.
+// Adapters of the solvers that a program can give: those with the interface of Eigen's sparse solvers, those that hold
+// such a solver, as CGAL's `Eigen_solver_traits`, and any other model of `SparseLinearAlgebraWithFactorTraits_d`.
 
 template <typename Solver, typename = void>
 struct Has_eigen_interface : std::false_type {};
@@ -155,7 +152,7 @@ public:
   bool factorize(const Sparse_matrix& upper) override
   {
     // `factor()` keeps a reference to the matrix: it has to live as long as the solver.
-    // Of one dimension: the constructor of CGAL 5.5 with two of type std::size_t reads what is not set.
+    // One dimension is given: the constructor of CGAL 5.5 with two of type std::size_t reads what is not set.
     m_matrix = std::make_unique<Matrix>(std::size_t(upper.rows()));
     for(int column = 0; column < upper.outerSize(); ++column)
       for(Sparse_matrix::InnerIterator it(upper, column); it; ++it)
@@ -226,9 +223,7 @@ Solvers make_solvers(const Solver& given, const Go_further& go_further = always_
   }
 }
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers_impl.h>

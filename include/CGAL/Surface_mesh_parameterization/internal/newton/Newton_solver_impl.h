@@ -16,22 +16,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/flip_barrier.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <utility>
-#include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_INLINE_UNLESS_SEPARATE
 Newton_solver::Newton_solver(std::vector<Triangle> triangles, int number_of_vertices, const Solvers& linear_solvers,
@@ -66,20 +58,21 @@ Newton_result Newton_solver::minimize(const std::vector<Rest_shape>& shapes, con
     result.decrement = 0;
     return result;
   }
+  const Weighted_triangles sum{m_triangles, shapes, weights};
   // One more assembly may spare factorizations: worth it where these take most of the time.
   constexpr int large_system = 20000; // unknowns
   bool relaxes = m_system.number_of_unknowns() > large_system;
   std::optional<Newton_outcome> outcome;
   for(; !outcome; relaxes = false)
   {
-    if(!find_direction<Energy>(shapes, weights, options, relaxes, uv, result))
+    if(!find_direction<Energy>(sum, relaxes, uv, result))
     {
       result.energy = energy<Energy>(shapes, weights, uv);
       outcome = Newton_outcome::SINGULAR;
       break;
     }
     const double former = result.energy;
-    outcome = use_factorization<Energy>(shapes, weights, options, uv, result);
+    outcome = use_factorization<Energy>(sum, options, uv, result);
     if(!outcome && former - result.energy < options.least_decrease * result.energy)
       outcome = Newton_outcome::CONVERGED;
     if(!outcome && result.iterations >= options.maximum_iterations)
@@ -105,26 +98,19 @@ double Newton_solver::energy(const std::vector<Rest_shape>& shapes, const std::v
   }, std::plus<double>());
 }
 
-CGAL_INLINE_UNLESS_SEPARATE
-int Newton_solver::maximum_reuse() const
-{
-  constexpr int least = 8, most = 30; // directions; L-BFGS keeps two vectors for each
-  return std::clamp(int(std::sqrt(double(m_system.number_of_unknowns())) / 10), least, most);
-}
-
 template <typename Energy>
-bool Newton_solver::find_direction(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                                   const Newton_options& options, bool relaxes, std::vector<Eigen::Vector2d>& uv,
+bool Newton_solver::find_direction(const Weighted_triangles& sum, bool relaxes, std::vector<Eigen::Vector2d>& uv,
                                    Newton_result& result)
 {
-  constexpr double gauge_shift = 1e-12, largest_shift = 1e-2, growth = 100;
-  for(double shift = gauge_shift; shift <= largest_shift; shift *= growth)
+  for(double shift : {1e-12, 1e-8, 1e-4})
   {
-    result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, shift);
+    const auto assemble
+      = [&] { return m_system.template assemble<Energy>(sum.triangles, sum.shapes, sum.weights, uv, shift); };
+    result.energy = assemble();
     if(!std::isfinite(result.energy))
       return false;
-    if(relaxes && shift == gauge_shift && relax<Energy>(shapes, weights, options, uv, result))
-      result.energy = m_system.template assemble<Energy>(m_triangles, shapes, weights, uv, shift);
+    if(std::exchange(relaxes, false) && relax<Energy>(sum, uv, result))
+      result.energy = assemble();
     ++result.iterations;
     if(!m_linear_solvers.factorize(*m_solver, m_system.hessian()))
       continue;
@@ -137,26 +123,26 @@ bool Newton_solver::find_direction(const std::vector<Rest_shape>& shapes, const 
 }
 
 template <typename Energy>
-bool Newton_solver::relax(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                          const Newton_options& options, std::vector<Eigen::Vector2d>& uv, const Newton_result& result)
+bool Newton_solver::relax(const Weighted_triangles& sum, std::vector<Eigen::Vector2d>& uv, const Newton_result& result)
 {
-  constexpr double share_of_decrement = 0.1, share_of_star = 0.01;
+  constexpr double share_of_star = 0.01;
   const double mean_star = 3 / double(uv.size()); // of the area, about
-  const double threshold = (std::max)(share_of_decrement * options.decrement, share_of_star * mean_star) * result.energy;
-  return m_relaxation.relax<Energy>(m_triangles, shapes, weights, threshold, m_system, uv) > 0;
+  return m_relaxation.relax<Energy>(sum, share_of_star * mean_star * result.energy, m_system, uv) > 0;
 }
 
 template <typename Energy>
 std::optional<Newton_outcome>
-Newton_solver::use_factorization(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                                 const Newton_options& options, std::vector<Eigen::Vector2d>& uv, Newton_result& result)
+Newton_solver::use_factorization(const Weighted_triangles& sum, const Newton_options& options,
+                                 std::vector<Eigen::Vector2d>& uv, Newton_result& result)
 {
-  // A factorization is reused while steps achieve this share of their predicted decrease.
+  // A factorization is reused while steps achieve this share of their predicted decrease. L-BFGS keeps two vectors for
+  // each direction.
   constexpr double least_share = 0.1;
+  constexpr int maximum_reuse = 30;
   constexpr double rounding = 1e-14; // of the energy: its sum over a million triangles is no more exact
   std::vector<Eigen::Vector2d> direction(uv.size(), Eigen::Vector2d::Zero()), trial(uv.size());
   m_memory.clear();
-  for(int i = 0; i <= maximum_reuse(); ++i)
+  for(int i = 0; i <= maximum_reuse; ++i)
   {
     if(!options.go_further() ||
        (options.stop && options.stop(Newton_state{result.iterations, result.energy, result.decrement})))
@@ -169,16 +155,16 @@ Newton_solver::use_factorization(const std::vector<Rest_shape>& shapes, const st
     });
     const bool is_converged = result.decrement <= options.decrement * result.energy;
     const double former = result.energy;
-    line_search<Energy>(shapes, weights, direction, uv, trial, result);
+    line_search<Energy>(sum, direction, uv, trial, result);
     const double decrease = former - result.energy;
     if(is_converged)
       return Newton_outcome::CONVERGED;
     if(i == 0 && decrease <= rounding * former)
       return Newton_outcome::STALLED;
     const Eigen::VectorXd former_gradient = m_system.gradient();
-    m_system.template assemble_gradient<Energy>(m_triangles, shapes, weights, uv);
-    if(relax<Energy>(shapes, weights, options, uv, result))
-      result.energy = energy<Energy>(shapes, weights, uv);
+    m_system.template assemble_gradient<Energy>(sum.triangles, sum.shapes, sum.weights, uv);
+    if(relax<Energy>(sum, uv, result))
+      result.energy = energy<Energy>(sum.shapes, sum.weights, uv);
     if(decrease < least_share * result.decrement || !find_reused_direction(trial, uv, former_gradient, result))
       break;
   }
@@ -223,13 +209,12 @@ void Newton_solver::apply_inverse(Eigen::VectorXd q)
 }
 
 template <typename Energy>
-void Newton_solver::line_search(const std::vector<Rest_shape>& shapes, const std::vector<double>& weights,
-                                const std::vector<Eigen::Vector2d>& direction, std::vector<Eigen::Vector2d>& uv,
-                                std::vector<Eigen::Vector2d>& trial, Newton_result& result) const
+void Newton_solver::line_search(const Weighted_triangles& sum, const std::vector<Eigen::Vector2d>& direction,
+                                std::vector<Eigen::Vector2d>& uv, std::vector<Eigen::Vector2d>& trial,
+                                Newton_result& result) const
 {
-  constexpr double armijo = 1e-4, backtracking = 0.5; // the usual ones
-  constexpr double margin = 0.9;                      // of the way to the first flip, where the energy is infinite
-  constexpr int maximum_trials = 60;                  // no digit of the step is left after these
+  constexpr double armijo = 1e-4; // the usual one
+  constexpr double margin = 0.9;  // of the way to the first flip, where the energy is infinite
   const auto move = [&](double t)
   {
     execute_blocks(m_execution, int(uv.size()), [&](int begin, int end)
@@ -241,13 +226,13 @@ void Newton_solver::line_search(const std::vector<Rest_shape>& shapes, const std
   const auto energy_at = [&](double t)
   {
     move(t);
-    return energy<Energy>(shapes, weights, trial);
+    return energy<Energy>(sum.shapes, sum.weights, trial);
   };
   const double longest = margin * step_to_first_flip(m_triangles, uv, direction, m_execution);
   const double first = (std::min)(1., longest);
   double t = first, e = energy_at(t);
-  for(int i = 0; i < maximum_trials && !(e <= result.energy - armijo * t * result.decrement); ++i)
-    e = energy_at(t *= backtracking);
+  for(int i = 0; i < maximum_halvings && !(e <= result.energy - armijo * t * result.decrement); ++i)
+    e = energy_at(t /= 2);
   if(!(e <= result.energy - armijo * t * result.decrement))
     return;
   if(t == first)
@@ -281,8 +266,6 @@ Newton_solver::energy<Symmetric_Dirichlet_energy>(const std::vector<Rest_shape>&
                                                   const std::vector<Eigen::Vector2d>&) const;
 #endif
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SOLVER_IMPL_H

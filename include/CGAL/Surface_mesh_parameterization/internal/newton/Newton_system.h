@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear_solver/unordered_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Triangle_groups.h>
 
 #include <Eigen/Core>
@@ -26,9 +25,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The sparse system of a Newton step: gradient and Hessian of a sum of triangle energies. The
 // pattern, the places of all entries in it and the order of the unknowns are found once.
@@ -37,7 +34,7 @@ class Newton_system
 public:
   Newton_system() = default;
 
-  // What to do with the pattern of the Hessian once it is known.
+  // Receives the pattern of the Hessian once it is known.
   using Analyze = std::function<void(const Sparse_matrix&)>;
 
   // Vertices with `is_fixed` have no unknowns (empty: none is fixed). The unknowns come in the order of the vertices'
@@ -342,8 +339,6 @@ private:
   Triangle_groups m_groups;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SYSTEM_H

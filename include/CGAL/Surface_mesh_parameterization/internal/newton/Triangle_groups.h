@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_parameterization {
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Groups of triangles without common vertices, so that threads add to the vertices without meeting; the triangles
 // between groups come after them. A group is what lies within a range of positions: in a nested dissection, that is
@@ -112,8 +110,6 @@ private:
   Buckets<int> m_groups; // of triangles; the last one holds those between the others
 };
 
-} // namespace internal
-} // namespace Surface_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_TRIANGLE_GROUPS_H

@@ -27,9 +27,7 @@
 #include <tbb/task_arena.h>
 #endif
 
-namespace CGAL {
-namespace internal {
-namespace Graph_kernel {
+namespace CGAL::internal::Graph_kernel {
 
 // Whether loops may use several threads. Results do not depend on it: each iteration writes to places of its own,
 // and sums have a fixed order.
@@ -105,7 +103,7 @@ void execute_both(Execution execution, const First& first, const Second& second)
   second();
 }
 
-// What one thread takes at a time: more than starting it costs.
+// The iterations that one thread takes at a time: more than starting it costs.
 constexpr int block_size = 4096;
 
 inline int number_of_blocks(int size, int largest = block_size) { return (size + largest - 1) / largest; }
@@ -129,13 +127,12 @@ T reduce_blocks(Execution execution, int size, T value, const Function& f, const
   return value;
 }
 
-// Asks whoever started a computation whether to go on; false ends it soon. The only way to stop what takes long,
-// in all layers.
+// Polled for cancellation: returns false to stop. The only way to stop long computations, in all layers.
 using Go_further = std::function<bool()>;
 
 inline bool always_go_further() { return true; }
 
-// Asks whether to go on, for loops with short steps: only once in many of them. Once refused, always refused.
+// Polls for cancellation in loops with short steps, once in many of them; a refusal is final.
 class Patience
 {
   const Go_further& m_go_further;
@@ -144,8 +141,6 @@ class Patience
 
 public:
   explicit Patience(const Go_further& go_further) : m_go_further(go_further) {}
-
-  bool is_over() const { return m_is_over; }
 
   // to be called at each step
   bool lasts()
@@ -156,8 +151,6 @@ public:
   }
 };
 
-} // namespace Graph_kernel
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Graph_kernel
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_EXECUTION_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Graph_kernel {
+namespace CGAL::internal::Graph_kernel {
 
 // A distance that knows its vertex. Equal ones are in the order of the vertices' indices: a search whose heap
 // compares these settles vertices in an order that depends on the graph alone, whichever way the heap is built.
@@ -200,8 +198,6 @@ private:
   }
 };
 
-} // namespace Graph_kernel
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Graph_kernel
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SHORTEST_PATHS_H

@@ -16,9 +16,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Graph_kernel {
+namespace CGAL::internal::Graph_kernel {
 
 // A set of numbers from 0 to a known one, in the order in which they come until it is sorted. One mark for each possible
 // number is kept, so that all calls but sorting take time for what the set holds alone, and it can be used again.
@@ -84,8 +82,6 @@ public:
   }
 };
 
-} // namespace Graph_kernel
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Graph_kernel
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_INDEX_SETS_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Graph_kernel {
+namespace CGAL::internal::Graph_kernel {
 
 // Sorts values and keeps one of those that are equal.
 template <typename Value>
@@ -64,8 +62,6 @@ void sort_by_key(std::vector<Value>& values, const Key& key)
   values.swap(sorted);
 }
 
-} // namespace Graph_kernel
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Graph_kernel
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SORTING_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Graph_kernel {
+namespace CGAL::internal::Graph_kernel {
 
 // The graph of some edges, with its vertices numbered from 0: keeps the cost of a small tree in a large graph small.
 // A model of Boost's concepts `VertexListGraph` and `EdgeListGraph`.
@@ -137,8 +135,6 @@ inline double total_weight(const Csr_graph& graph, const std::vector<int>& edges
   return sum;
 }
 
-} // namespace Graph_kernel
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Graph_kernel
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_GRAPH_KERNEL_SPANNING_FOREST_H

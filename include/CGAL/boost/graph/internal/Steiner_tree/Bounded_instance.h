@@ -24,9 +24,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // of the dynamic program
 constexpr int largest_number_of_terminals = Terminal_set<4>::capacity;
@@ -196,8 +194,6 @@ private:
   }
 };
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_BOUNDED_INSTANCE_H

@@ -13,7 +13,7 @@
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // A feasible dual solution of the directed cut formulation (Wong 1984). Every Steiner tree, directed away from a
 // root terminal, enters each set W of vertices that holds a terminal but not the root. The sets get values y_W >= 0
@@ -165,8 +163,8 @@ private:
     m_to_terminal = paths.distances();
   }
 
-  // What the terminals' sets have met. The sets of a terminal that was reached from another one by arcs of reduced
-  // weight zero stop growing: the other's sets will contain them. Terminals that reach each other grow as one.
+  // The terminal that each terminal's sets have met. Sets of a terminal that was reached from another one by arcs of
+  // reduced weight zero stop growing: the other's sets will contain them. Terminals that reach each other grow as one.
   struct Leaders
   {
     std::vector<int> leader;
@@ -313,8 +311,6 @@ private:
   }
 };
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_DUAL_ASCENT_H

@@ -22,9 +22,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // for each edge: does it leave the `size` vertices nearest to these edges?
 inline std::vector<char> is_outside_corridor(const Csr_graph& graph, const std::vector<int>& edges, int size)
@@ -232,8 +230,6 @@ private:
   }
 };
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_EXACT_SOLVER_H

@@ -19,15 +19,13 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // A Steiner tree problem that stands for a larger one: each edge stands for a path of original edges, and some
 // original edges have been found to be in the tree already.
 class Instance
 {
-  // What edges stand for: numbers below the number of original edges are those, others are concatenations.
+  // Numbers below the number of original edges stand for these, others for concatenations.
   struct Concatenation
   {
     int first;
@@ -97,8 +95,7 @@ class Degree_reduction
   int m_number_of_terminals;
 
 public:
-  Degree_reduction(const Instance& instance, const std::vector<char>& is_removed,
-                   const Go_further& go_further)
+  Degree_reduction(const Instance& instance, const std::vector<char>& is_removed, const Go_further& go_further)
     : m_instance(instance), m_incident(instance.graph().number_of_vertices()),
       m_is_terminal(mark(instance.graph().number_of_vertices(), instance.terminals())),
       m_is_queued(instance.graph().number_of_vertices(), 1), m_number_of_terminals(int(instance.terminals().size()))
@@ -252,8 +249,6 @@ private:
   }
 };
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_INSTANCE_H

@@ -12,7 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_NEAR_POINTS_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_NEAR_POINTS_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 
@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // The longest links of the paths in a tree. Kruskal's algorithm puts its points into a row: sets that it unites become
 // neighbors there, with the link between them. The longest link on the path between two points is the longest one
@@ -80,10 +78,9 @@ public:
 };
 
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, as `Key_points`, for so many
-// of them that distances from each to all vertices would take too long. What a point is worth depends on points no
-// farther away than their longest links: each knows the vertices up to there. The spanning tree comes from the
-// borders of the Voronoi regions (Mehlhorn 1988). O(n log n) for each round, in which many auxiliary points come, move
-// and go.
+// of them that distances from each to all vertices would take too long. The value of a point depends on points no
+// farther away than their longest links: each knows the vertices up to there. The spanning tree comes from the borders
+// of the Voronoi regions (Mehlhorn 1988). O(n log n) for each round, in which many auxiliary points come, move and go.
 class Near_points
 {
   struct Near_vertex
@@ -345,8 +342,6 @@ private:
   }
 };
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_NEAR_POINTS_H

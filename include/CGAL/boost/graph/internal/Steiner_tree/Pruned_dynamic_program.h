@@ -12,7 +12,6 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H
 
-#include <CGAL/boost/graph/internal/Steiner_tree/Completion_bound.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Set_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
@@ -24,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // The program of Erickson, Monma and Veinott (1987) on states (v, I): a vertex, a set of terminals, and the length
 // d(v, I) of the shortest tree found that connects them. States are made by sending one along an edge and by merging
@@ -272,8 +269,6 @@ private:
   }
 };
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_PRUNED_DYNAMIC_PROGRAM_H

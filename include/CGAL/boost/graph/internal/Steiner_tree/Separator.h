@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // Finds the largest number a such that given terminals are connected among the vertices v with length(v) >= a. Few
 // vertices, the touched ones, have a finite length, and time should depend on their number rather than on the
@@ -45,8 +43,7 @@ public:
   {}
 
   // infinity if the terminals are connected without the touched vertices; these are sorted by decreasing length
-  double operator()(const std::vector<double>& lengths, std::vector<int>& touched,
-                    const std::vector<int>& terminals)
+  double operator()(const std::vector<double>& lengths, std::vector<int>& touched, const std::vector<int>& terminals)
   {
     search_around(lengths, touched);
     place_terminals(lengths, terminals);
@@ -166,8 +163,6 @@ private:
   }
 };
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEPARATOR_H

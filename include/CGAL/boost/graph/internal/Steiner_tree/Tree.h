@@ -12,7 +12,6 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_TREE_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_TREE_H
 
-#include <CGAL/boost/graph/internal/Graph_kernel/Buckets.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Csr_graph.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
@@ -23,9 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 using namespace Graph_kernel;
 using Graph_kernel::minimum_spanning_forest; // has an overload here, which would hide it
@@ -71,8 +68,6 @@ inline Tree make_tree_on_same_vertices(const Csr_graph& graph, const std::vector
   return result.length < tree.length ? result : tree;
 }
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_TREE_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // Terminals and auxiliary points with the minimum spanning tree of their metric closure, which can grow and shrink
 // by a point. Keeps one search per point: O(k n) memory. Boost's spanning trees of a metric closure, which is a complete
@@ -173,8 +171,7 @@ private:
     // nearest[i]: the shortest connection of v to the part of the tree below point i that has been seen
     std::vector<std::array<double, block_size>> nearest(m_searches.size());
     for(std::size_t i = 0; i < m_searches.size(); ++i)
-      std::copy(m_searches[i]->distances.begin() + first, m_searches[i]->distances.begin() + last,
-                nearest[i].begin());
+      std::copy(m_searches[i]->distances.begin() + first, m_searches[i]->distances.begin() + last, nearest[i].begin());
     std::array<double, block_size> length{};
     const int size = last - first;
     for(auto link = m_links.rbegin(); link != m_links.rend(); ++link) {
@@ -195,7 +192,7 @@ private:
 };
 
 // adds the auxiliary point that shortens the metric closure's spanning tree most as long as that is by more than
-// `minimum_decrease` (paper, Section 3.2). What counts in the end is the union of the paths, which may share
+// `minimum_decrease` (paper, Section 3.2). The union of the paths counts in the end; they may share
 // edges: the shortest union over all steps is returned.
 inline Tree insert_auxiliary_points(Key_points& points, double minimum_decrease, const Go_further& go_further)
 {
@@ -244,8 +241,6 @@ inline Csr_graph perturbed(const Csr_graph& graph, unsigned int seed)
   return Csr_graph(graph.number_of_vertices(), std::move(edges));
 }
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_LOCAL_SEARCH_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // A coarser graph: some of the vertices as centers, joined where their regions touch by the shortest path from center
 // to center through an edge between the regions. Its paths are paths of the graph, a few percent longer than the
@@ -167,8 +165,6 @@ inline Tree shortest_path_heuristic(const Csr_graph& graph, const std::vector<in
   return tree.edges.empty() ? metric_closure_tree(graph, terminals) : tree;
 }
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_METRIC_CLOSURE_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // Can Boost search the graph in both directions of each edge?
 template <typename Graph>
@@ -160,8 +158,6 @@ Solution solve_on_graph(const Graph& graph,
   return concluded(std::move(solution), indexed_terminals.size() == 2, go_further);
 }
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_METRIC_CLOSURE_OF_GRAPH_H

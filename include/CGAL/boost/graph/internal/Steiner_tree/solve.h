@@ -19,9 +19,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 enum class Method
 {
@@ -73,9 +71,7 @@ Solution concluded(Solution solution, bool is_shortest_path, const Go_further& g
 Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const Options& options,
                Execution execution, const Go_further& go_further, const std::vector<int>& known = {});
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #ifndef CGAL_SEPARATE_IMPLEMENTATION
 #include <CGAL/boost/graph/internal/Steiner_tree/solve_impl.h>

@@ -15,23 +15,17 @@
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Exact_solver.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Near_points.h>
-#include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/local_search.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/metric_closure.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <utility>
-#include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace Steiner_tree {
+namespace CGAL::internal::Steiner_tree {
 
 // How often perturbed weights may lead to another tree: each time takes about as long as so many states of the
-// program for each vertex. More seldom find a better one.
+// program for each vertex. Further ones rarely find a better tree.
 inline int number_of_perturbations(const Csr_graph& graph, std::size_t maximum_number_of_states)
 {
   constexpr std::size_t states_per_vertex = 100, enough = 24;
@@ -173,8 +167,7 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
     break;
   case Method::exact:
     if(terminals.size() > options.maximum_number_of_terminals) {
-      solution.tree =
-        tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further);
+      solution.tree = tree_through_many_terminals(graph, terminals, options.maximum_number_of_states, go_further);
       break;
     }
     const bool needs_near_points = known.empty() && terminals.size() > std::size_t(largest_number_of_terminals);
@@ -193,8 +186,6 @@ Solution solve(const Csr_graph& graph, const std::vector<int>& terminals, const 
   return concluded(std::move(solution), terminals.size() == 2 && known.empty(), go_further);
 }
 
-} // namespace Steiner_tree
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::Steiner_tree
 
 #endif // CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SOLVE_IMPL_H
