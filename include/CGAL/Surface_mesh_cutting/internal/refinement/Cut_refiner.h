@@ -150,12 +150,15 @@ public:
 
 private:
   // A bound that so many slits do not reach is out of reach: bounds that are reached take less than half as many, but
-  // for surfaces with many handles, which are distorted everywhere. Each slit takes a solve of the whole.
+  // for surfaces with many handles, which are distorted everywhere. Each slit takes a solve of the whole, and windows
+  // that take as long as some more.
   bool open_best_slits(const Objective& objective, int maximum_number_of_slits)
   {
-    constexpr int enough_slits = 200, enough_slits_between_handles = 1000;
-    const int all_slits = (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
-                                     affordable_steps(m_mesh.number_of_faces()));
+    constexpr int enough_slits = 200, enough_slits_between_handles = 1000, solves = 4;
+    const int all_slits = objective.is_far(m_cut.cost(), m_cut.energy())
+                            ? affordable_steps(m_mesh.number_of_faces(), solves)
+                            : (std::max)(m_problem.has_many_handles ? enough_slits_between_handles : enough_slits,
+                                         affordable_steps(m_mesh.number_of_faces()));
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     for(int i = 0; !(objective.has_bound() && objective.keeps_bound(m_cut.energy())); ++i)
     {

@@ -71,6 +71,13 @@ public:
     return !has_bound() || room(energy) > -largest_excess;
   }
 
+  // Whether a cut would have to become so much longer that the bound is most likely out of reach.
+  bool is_far(double cost, double energy) const
+  {
+    constexpr double much_longer = 6;
+    return has_bound() && !((*this)(cost, energy) <= much_longer * cost);
+  }
+
   // Learns from a cut that was taken.
   void adapt(double energy)
   {

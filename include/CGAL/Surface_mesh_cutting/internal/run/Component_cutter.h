@@ -47,9 +47,7 @@ public:
       return result;
     const Run_plan plan = make_plan(Effort::FAST, m_context.parameters, m_problem);
     const Detected_features detected = detect_features(m_problem, plan.number_of_faces, m_context);
-    result = Finisher::result_without_cut(detected);
-    result.features = detected.features;
-    return result;
+    return Finisher::result_without_cut(detected);
   }
 
   // Runs with the plan of the effort. The best effort runs with those of the smaller ones first, so that it is no worse; where

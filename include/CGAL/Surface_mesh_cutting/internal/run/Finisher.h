@@ -93,6 +93,7 @@ public:
     Component_result result;
     result.status = detected.status;
     result.number_of_candidates = detected.number_of_candidates;
+    result.features = detected.features;
     result.add(detected.trade_offs);
     return result;
   }

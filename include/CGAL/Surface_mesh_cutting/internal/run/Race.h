@@ -63,8 +63,9 @@ public:
     drop_same(runners);
     sort(runners, int(runners.size()));
     m_context.control.report(Phase::REFINE, 0);
-    if(int(runners.size()) > m_plan.number_of_prepared())
-      runners.resize(m_plan.number_of_prepared());
+    const int number = is_far(runners.front()) ? 1 : m_plan.number_of_prepared(); // with the bound out of reach, one tells as much
+    if(int(runners.size()) > number)
+      runners.resize(number);
     advance(int(runners.size()), runners, [&](Cut_refiner& refiner) { refiner.prepare(m_goal); });
     m_context.control.report(Phase::REFINE, 0.5);
     advance((std::min)(m_plan.number_of_refined(), int(runners.size())), runners,
@@ -141,6 +142,11 @@ private:
       refiner->replace_tree(std::move(found));
     found = Open_chart();
     runner.refiner = std::move(refiner);
+  }
+
+  bool is_far(const Runner& runner) const
+  {
+    return runner.refiner && m_goal.objective.is_far(runner.refiner->cut().cost(), runner.refiner->cut().energy());
   }
 
   double value(const Cut_refiner& refiner) const { return m_goal.objective(refiner.cut().cost(), refiner.cut().energy()); }

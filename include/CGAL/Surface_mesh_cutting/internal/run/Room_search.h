@@ -60,10 +60,11 @@ public:
 private:
   static constexpr double near = 0.1; // above the goal, relative to what that leaves above the ideal
 
-  // Without a bound, about the energy of the map with overlaps: more room gains nothing.
+  // Without a bound that the map with overlaps keeps, about its energy: more room gains nothing.
   double goal(const Open_chart& running) const
   {
-    return m_objective.has_bound() ? m_objective.bound() : running.energy + Cut_parameterizer::tolerance;
+    return m_objective.has_bound() && m_objective.keeps_bound(running.energy) ? m_objective.bound()
+                                                                              : running.energy + Cut_parameterizer::tolerance;
   }
 
   bool keeps_bound(const Component_result& result) const { return result.has_map && m_objective.keeps_bound(result.energy); }
@@ -82,8 +83,7 @@ private:
     m_parameterizer.relieve(overlapping, goal, relieved);
     if(keeps_bound(relieved) && m_parameters.widens_search())
       shorten(relieved);
-    if(keeps_bound(relieved))
-      take_better(std::move(relieved), result);
+    take_better(std::move(relieved), result);
   }
 
   // Slits gain in whole paths, and other branches contribute less then. Several charts stay as they are.

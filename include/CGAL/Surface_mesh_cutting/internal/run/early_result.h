@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Shortest_paths.h>
+#include <CGAL/boost/graph/internal/Graph_kernel/sorting.h>
 
 #include <algorithm>
 #include <utility>
@@ -83,13 +84,14 @@ inline Connected_cut early_cut(const Problem& problem, const std::vector<int>& t
 }
 
 // Completes `found`, what a run leaves of a surface that was stopped or failed numerically, to a result: by a cut that takes
-// little time to find, unless there is one, and a map of it without overlaps. The status of a stop stays.
+// little time to find, through what features there are, unless there is one, and a map of it without overlaps. The status of a stop stays.
 inline void complete_early(const Problem& problem, bool needs_map, const Context& context, Component_result& found)
 {
   if(!found.has_cut)
   {
-    found.features = problem.is_sphere && !problem.initial.is_given()
-                       ? far_vertices(problem.mesh, problem.constraints, problem.terminals) : problem.terminals;
+    CGAL::internal::Graph_kernel::add_unique(problem.terminals, found.features);
+    if(problem.is_sphere && !problem.initial.is_given())
+      found.features = far_vertices(problem.mesh, problem.constraints, std::move(found.features));
     Connected_cut connected = early_cut(problem, found.features, context.execution);
     if(!connected.status)
       return;
