@@ -25,6 +25,7 @@
 namespace CGAL::internal::Steiner_tree {
 
 using namespace Graph_kernel;
+using Graph_kernel::Edge;                    // CGAL::internal has another one
 using Graph_kernel::minimum_spanning_forest; // has an overload here, which would hide it
 
 // A tree in a `Csr_graph`: its edges in increasing order and the sum of their weights.
