@@ -97,8 +97,8 @@ void test_bound(double turns)
   check_charts(mesh, maps, std::size_t(std::ceil(turns)), name);
 }
 
-// Where the bound leaves room to bend, a chart may cover more than one turn, and a few seams cost less than slits that
-// let a single chart turn aside.
+// Where the bound leaves room to bend, a chart may cover more than one turn: a few seams, or slits that let a single chart
+// turn aside, cost less than a seam for each turn.
 void test_bent_charts()
 {
   constexpr double loose_bound = 4.01, turns = 4.25;
@@ -111,7 +111,7 @@ void test_bent_charts()
   CHECK(result && result.overlaps == 0, "bent charts: " + result.status.message);
   CHECK(result.average_distortion <= loose_bound, "bent charts: bound");
   CHECK(result.cut_length < 0.5 * tight.cut_length, "bent charts: long cut");
-  check_charts(mesh, maps, 2, "bent charts");
+  check_charts(mesh, maps, 1, "bent charts");
 }
 
 // Seams are as short as the width of the ramp. Without a bound, there are fewer, as long as the energy is hardly above that of
@@ -134,7 +134,7 @@ void test_many_turns()
   CHECK(bent && bent.overlaps == 0, "many bent turns: " + bent.status.message);
   CHECK(bent.average_distortion <= energy + tolerance, "many bent turns: distortion");
   CHECK(bent.cut_length < 0.5 * same.cut_length, "many bent turns: long seams");
-  check_charts(mesh, maps, std::size_t(turns / 4), "many bent turns");
+  check_charts(mesh, maps, 1, "many bent turns");
 }
 
 // With nowhere to divide, a distorted map is all there is.

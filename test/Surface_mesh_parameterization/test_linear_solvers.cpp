@@ -16,6 +16,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/subdivision_method_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <Eigen/SparseCholesky>
@@ -242,6 +243,7 @@ SMP::Error_code parameterize(const Parameterizer& parameterizer)
   Mesh mesh;
   const bool is_read = CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/nefertiti.off"), mesh);
   CHECK(is_read);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2)); // several stages
   auto uv_map = mesh.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2>("v:uv").first;
   return SMP::parameterize(mesh, parameterizer, CGAL::Polygon_mesh_processing::longest_border(mesh).first, uv_map);
 }

@@ -176,8 +176,8 @@ void test_relaxation(const Problem& problem, CGAL::Random& random)
   const Map moved = uv;
   Newton_system system(triangles, int(uv.size()), {}), fresh = system;
   system.assemble<Energy>(triangles, problem.shapes, problem.weights, uv, 0);
-  const double gain = Star_relaxation(Execution::PARALLEL)
-    .relax<Energy>(triangles, problem.shapes, problem.weights, threshold, system, uv);
+  const Weighted_triangles sum{triangles, problem.shapes, problem.weights};
+  const double gain = Star_relaxation(Execution::PARALLEL).relax<Energy>(sum, threshold, system, uv);
   CHECK(gain > 0.5 * (before - energy_of(best)));
   CHECK(std::abs(before - energy_of(uv) - gain) < 1e-10 * before);
   CHECK(count_flips(triangles, uv) == 0);
@@ -187,7 +187,7 @@ void test_relaxation(const Problem& problem, CGAL::Random& random)
   Map still = moved; // where nothing is worth it
   fresh.assemble<Energy>(triangles, problem.shapes, problem.weights, still, 0);
   const double none = Star_relaxation(Execution::SEQUENTIAL)
-    .relax<Energy>(triangles, problem.shapes, problem.weights, std::numeric_limits<double>::infinity(), fresh, still);
+                        .relax<Energy>(sum, std::numeric_limits<double>::infinity(), fresh, still);
   CHECK(none == 0 && still == moved);
 }
 
