@@ -34,7 +34,7 @@ class Solids(Case):
             total = self.total(name)
             for bound in (4.02, 4.1, 4.3):
                 with self.subTest(solid=name, bound=bound):
-                    self.assertLessEqual(total, self.total(name, "--max-distortion", bound) + 0.04)
+                    self.assertLessEqual(total, self.total(name, "--max-distortion", bound) + 0.01)
 
     # The largest part of a box that is a thin plate is its two sides, which stay whole.
     def test_plate(self):

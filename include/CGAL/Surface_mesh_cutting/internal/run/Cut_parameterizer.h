@@ -100,14 +100,14 @@ public:
     take_other_ends(std::move(injective), result);
   }
 
-  // Moves ends and ways of a cut whose map without overlaps keeps the bound, by the energy of that map: where parts are in
-  // each other's way, cuts that hardly differ need more room or less, and slits for room start where the cut happened to be
-  // near. What ends above the bound is relieved once more. False if the former cut stays.
-  bool move_ends_and_ways(double bound, Component_result& result) const
+  // Moves ends and ways of a cut, by the energy of its map without overlaps: where parts are in each other's way, cuts that
+  // hardly differ need more room or less, and slits for room start where the cut happened to be near. Opens slits again while
+  // the energy is above `goal`. False if the former cut stays, which is no worse then.
+  bool move_ends_and_ways(const Objective& objective, double goal, Component_result& result) const
   {
     constexpr double step = 0.1; // of the length of the cut
     Working_cut cut(m_problem, m_context);
-    End_search search(m_problem, m_context.parameters, Objective(m_context.parameters), false, cut);
+    End_search search(m_problem, m_context.parameters, objective, false, cut);
     if(!search.can_move() || !cut.start_injectively(injective_cut(result)))
       return false;
     search.reroute();
@@ -115,10 +115,10 @@ public:
     search.reroute();
     Component_result moved = result;
     take_other_ends(injective_cut(cut.state()), moved);
-    relieve(cut.chart(), bound, moved);
-    if(search.best() && (moved.energy > bound || moved.cost > search.best()->cost))
+    relieve(cut.chart(), goal, moved);
+    if(search.best() && objective.rank(search.best()->cost, search.best()->energy()) < moved.rank(objective))
       take_other_ends(injective_cut(*search.best()), moved);
-    if(!(moved.energy <= bound && moved.cost < result.cost))
+    if(!(moved.rank(objective) < result.rank(objective)))
       return false;
     result = std::move(moved);
     return true;

@@ -49,7 +49,7 @@ public:
       return;
     Component_result crowded = result;
     crowded.trade_offs.clear();
-    constexpr double much = 0.1; // relative
+    constexpr double much = 0.05; // relative
     const double limit = (1 + much) * m_objective(refiner.cut().cost(), running.energy);
     if(m_parameters.widens_search() || (result.has_map && result.energy - goal <= near * (goal - ideal)))
       open_slits(crowded, running, goal, result);
@@ -82,17 +82,17 @@ private:
   {
     m_parameterizer.relieve(overlapping, goal, relieved);
     if(keeps_bound(relieved) && m_parameters.widens_search())
-      shorten(relieved);
+      shorten(goal, relieved);
     take_better(std::move(relieved), result);
   }
 
   // Slits gain in whole paths, and other branches contribute less then. Several charts stay as they are.
-  void shorten(Component_result& result) const
+  void shorten(double goal, Component_result& result) const
   {
     if(result.chart.border_loops().size() > 1)
       return;
     m_parameterizer.trim(m_objective, result);
-    if(m_moves_ends && m_objective.has_bound() && m_parameterizer.move_ends_and_ways(m_objective.bound(), result))
+    if(m_moves_ends && m_parameterizer.move_ends_and_ways(m_objective, goal, result))
       m_parameterizer.trim(m_objective, result); // that may have left some room below the bound
   }
 

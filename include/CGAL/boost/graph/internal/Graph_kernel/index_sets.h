@@ -80,6 +80,9 @@ public:
     m_parent[(std::max)(i, j)] = (std::min)(i, j);
     return i != j;
   }
+
+  // takes i apart; so must be all of its set
+  void reset(int i) { m_parent[i] = i; }
 };
 
 } // namespace CGAL::internal::Graph_kernel

@@ -12,6 +12,7 @@
 #ifndef CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEPARATOR_H
 #define CGAL_BOOST_GRAPH_INTERNAL_STEINER_TREE_SEPARATOR_H
 
+#include <CGAL/boost/graph/internal/Graph_kernel/index_sets.h>
 #include <CGAL/boost/graph/internal/Steiner_tree/Tree.h>
 
 #include <algorithm>
@@ -28,18 +29,17 @@ namespace CGAL::internal::Steiner_tree {
 class Separator
 {
   const Csr_graph& m_graph;
-  // disjoint sets of the vertices seen; -1: not seen
-  std::vector<int> m_parents;
+  Graph_kernel::Index_set m_seen; // in the order of the search
+  Graph_kernel::Disjoint_sets m_sets; // of the vertices seen
   std::vector<int> m_pending; // of a set that is still growing: number of its vertices in the queue
   std::vector<char> m_holds_terminal;
-  std::vector<int> m_seen; // in the order of the search
   int m_number_of_growing_sets = 0;
   int m_missing = 0; // merges of sets with terminals until all terminals are connected
 
 public:
   explicit Separator(const Csr_graph& graph)
-    : m_graph(graph), m_parents(graph.number_of_vertices(), -1), m_pending(graph.number_of_vertices(), 0),
-      m_holds_terminal(graph.number_of_vertices(), 0)
+    : m_graph(graph), m_seen(graph.number_of_vertices()), m_sets(graph.number_of_vertices()),
+      m_pending(graph.number_of_vertices(), 0), m_holds_terminal(graph.number_of_vertices(), 0)
   {}
 
   // infinity if the terminals are connected without the touched vertices; these are sorted by decreasing length
@@ -60,8 +60,8 @@ public:
             unite(v, m_graph.arcs[j].target);
       }
     }
-    for(int v : m_seen) {
-      m_parents[v] = -1;
+    for(int v : m_seen.indices()) {
+      m_sets.reset(v);
       m_pending[v] = 0;
       m_holds_terminal[v] = 0;
     }
@@ -77,32 +77,25 @@ private:
   {
     m_number_of_growing_sets = 0;
     for(int v : touched)
-      see(v);
-    const std::size_t first = m_seen.size();
+      m_seen.insert(v);
+    const std::size_t first = m_seen.indices().size();
     for(int v : touched)
       for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i) {
         const int w = m_graph.arcs[i].target;
-        if(m_parents[w] < 0) {
-          see(w);
-          m_pending[w] = 1;
-          ++m_number_of_growing_sets;
-        }
+        if(!m_seen.contains(w))
+          start_at(w);
       }
-    for(std::size_t next = first; next < m_seen.size() && m_number_of_growing_sets > 1; ++next) {
-      const int v = m_seen[next];
+    for(std::size_t next = first; next < m_seen.indices().size() && m_number_of_growing_sets > 1; ++next) {
+      const int v = m_seen.indices()[next];
       for(int i = m_graph.offsets[v]; i < m_graph.offsets[v + 1]; ++i) {
         const int w = m_graph.arcs[i].target;
         if(lengths[w] < (std::numeric_limits<double>::infinity)())
           continue;
-        if(m_parents[w] < 0) {
-          see(w);
-          m_parents[w] = find(v);
-          ++m_pending[find(v)];
-        }
-        else
-          unite(v, w);
+        if(!m_seen.contains(w))
+          start_at(w);
+        unite(v, w);
       }
-      if(--m_pending[find(v)] == 0)
+      if(--m_pending[m_sets.find(v)] == 0)
         --m_number_of_growing_sets;
     }
   }
@@ -113,18 +106,18 @@ private:
     m_missing = -1;
     bool is_one_not_seen = false;
     for(int t : terminals)
-      if(m_parents[t] < 0)
+      if(!m_seen.contains(t))
         is_one_not_seen = true;
       else {
-        char& holds_terminal = m_holds_terminal[find(t)];
+        char& holds_terminal = m_holds_terminal[m_sets.find(t)];
         if(!holds_terminal || lengths[t] < (std::numeric_limits<double>::infinity)())
           ++m_missing;
         holds_terminal = 1;
       }
     if(!is_one_not_seen)
       return;
-    for(int v : m_seen)
-      if(m_parents[v] == v && m_pending[v] > 0) {
+    for(int v : m_seen.indices())
+      if(m_sets.find(v) == v && m_pending[v] > 0) {
         if(!m_holds_terminal[v])
           ++m_missing;
         m_holds_terminal[v] = 1;
@@ -132,28 +125,22 @@ private:
       }
   }
 
-  void see(int v)
+  // a set that grows
+  void start_at(int v)
   {
-    m_parents[v] = v;
-    m_seen.push_back(v);
-  }
-
-  int find(int v)
-  {
-    while(m_parents[v] != v)
-      v = m_parents[v] = m_parents[m_parents[v]];
-    return v;
+    m_seen.insert(v);
+    m_pending[v] = 1;
+    ++m_number_of_growing_sets;
   }
 
   void unite(int v, int w)
   {
-    v = find(v);
-    w = find(w);
-    if(v == w)
+    v = m_sets.find(v);
+    w = m_sets.find(w);
+    if(!m_sets.unite(v, w))
       return;
     if(w < v)
       std::swap(v, w);
-    m_parents[w] = v;
     if(m_pending[v] > 0 && m_pending[w] > 0)
       --m_number_of_growing_sets;
     m_pending[v] += m_pending[w];
