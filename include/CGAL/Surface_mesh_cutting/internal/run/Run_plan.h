@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Problem.h>
 
 #include <algorithm>
+#include <cmath>
 
 
 namespace CGAL {
@@ -55,6 +56,7 @@ inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, c
     return plan;
   const int faces = plan.is_coarsened() ? plan.number_of_faces : all_faces;
   const auto affordable = [faces](int most, int work) { return (std::max)(1, (std::min)(most, work / faces)); };
+  constexpr int most_starts = 24;
   const int length_of_way = has_bound ? 3 : 1; // without a bound, a cut is near its optimum from the start
   switch(effort)
   {
@@ -62,12 +64,12 @@ inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, c
     plan.number_of_solves = !has_bound && parameters.needs_optimal_tree ? 0 : affordable(24, 20000 * length_of_way);
     break;
   case Effort::DEFAULT:
-    plan.number_of_starts = affordable(8, 30000);
+    plan.number_of_starts = (std::min)(most_starts, (std::max)(1, int(400 / std::sqrt(double(faces))))); // small ones vary more
     plan.number_of_solves = affordable(60, 100000 * length_of_way);
     plan.rounds_of_moved_ends = has_bound ? 2 : 1;
     break;
   case Effort::BEST:
-    plan.number_of_starts = 24;
+    plan.number_of_starts = most_starts;
     plan.number_of_solves = affordable(200, 500000 * length_of_way);
     plan.rounds_of_moved_ends = 3;
     break;
