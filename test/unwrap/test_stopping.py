@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-from support import (Case, PROGRAM, TIME_LIMIT, joined, main, scaled, sphere, to_obj, to_off, torus,
+from support import (Case, PROGRAM, TIME_LIMIT, joined, main, scaled, sphere, to_glb, to_obj, to_off, torus,
                      without_face)
 
 # Seconds from the limit or the signal to the end.
@@ -91,6 +91,18 @@ class Stopping(Case):
                     self.assertRegex(report["message"], "^stopped by a signal.*; the best result so far is written: ")
                     self.assertEqual((report["flips"], report["overlaps"] or 0), (0, 0))
                     self.assert_no_flips("out.obj")
+
+    def test_gltf(self):
+        """The file is edited after the stop."""
+        self.write("in.glb", to_glb(*sphere(4)))
+        for options in ([], ["--tangents"]):
+            with self.subTest(options=options):
+                program = self.start("in.glb", "--max-distortion", "4.00001", *options, "-o", "out.glb", "--progress")
+                program.stderr.readline()
+                program.send_signal(signal.SIGINT)
+                self.assert_ends(program, 6)
+                self.assertIn(b"TEXCOORD_0", (self.folder / "out.glb").read_bytes())
+                (self.folder / "out.glb").unlink()
 
     def test_without_layout(self):
         """In the program's words, with what helps."""

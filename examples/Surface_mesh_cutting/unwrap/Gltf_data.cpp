@@ -1,6 +1,5 @@
 #include "Gltf_data.h"
 
-#include "stop_request.h"
 
 #include <algorithm>
 #include <array>
@@ -221,7 +220,6 @@ std::string Data::place_former_views(const std::vector<char>& is_replaced)
   std::string bytes;
   for(std::size_t first = 0, last; first < ranges.size(); first = last)
   {
-    end_if_stop_is_requested();
     const std::size_t buffer = std::get<0>(ranges[first]), begin = std::get<1>(ranges[first]) / alignment * alignment;
     std::size_t end = std::get<2>(ranges[first]);
     const auto is_next = [&](const Range& range) { return std::get<0>(range) == buffer && std::get<1>(range) <= end; };

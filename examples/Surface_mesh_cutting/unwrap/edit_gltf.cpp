@@ -8,7 +8,6 @@
 #include "gltf_tangents.h"
 #include "gltf_uri.h"
 #include "gltf_writer.h"
-#include "stop_request.h"
 
 #include <array>
 #include <cstddef>
@@ -65,7 +64,6 @@ private:
 
   void edit(const std::vector<const Primitive*>& members)
   {
-    end_if_stop_is_requested();
     Json attributes = json_of(*members.front())["attributes"], targets = gltf::list(json_of(*members.front()), "targets");
     const std::optional<Elements> normals = normals_for_tangents(attributes);
     Split_vertices vertices(members.front()->number_of_vertices);
@@ -133,7 +131,6 @@ private:
 
   std::size_t put_repeated(std::size_t accessor, std::size_t uses, const std::vector<std::size_t>& origins)
   {
-    end_if_stop_is_requested();
     const Elements elements(m_source.document, accessor);
     std::string bytes;
     const auto append = [&](std::size_t i)

@@ -2,7 +2,6 @@
 
 #include "Gltf_elements.h"
 #include "Gltf_source.h"
-#include "stop_request.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +24,6 @@ std::vector<Tangent> gltf_tangents(const Layout& layout)
   corners.reserve(layout.corners.size());
   for(const Gltf_source::Primitive& primitive : layout.gltf_source->primitives)
   {
-    end_if_stop_is_requested();
     const gltf::Json& attributes
       = document.description()["meshes"][primitive.mesh]["primitives"][primitive.index]["attributes"];
     const std::optional<gltf::Elements> points = elements_of(document, attributes, "POSITION"),
