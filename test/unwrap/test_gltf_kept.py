@@ -112,6 +112,7 @@ class Kept(Case):
         # OBJ has them at points, which are repeated; the surface stays connected.
         _, report = self.report("in.glb", "-o", "out.obj")
         self.assertEqual((report["components"], report["charts"]), (1, 1))
+        self.assertEqual([warning for warning in report["warnings"] if "isolated" in warning], [])
         lines = [line.split() for line in (self.folder / "out.obj").read_text().splitlines()]
         colors = {tuple(map(float, words[1:4])): set() for words in lines if words[0] == "v"}
         for words in lines:

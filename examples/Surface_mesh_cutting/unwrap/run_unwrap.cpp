@@ -118,14 +118,25 @@ std::vector<std::array<double, 2> > best_trade_offs(const Result& result)
   return best;
 }
 
-void tell(const Result& result, const Surface& surface, bool is_like_soup, Outcome& outcome)
+// Whether all that it names are points that only repeat others with another color.
+bool is_about_repeated_points(const SMC::Finding<Mesh>& finding, const Surface& surface, const Polygon_soup& soup)
 {
+  const auto is_repeated = [&](Vertex v)
+  { return soup.originals[std::size_t(surface.vertices[v])] != surface.vertices[v]; };
+  return !soup.originals.empty() && !finding.vertices.empty() &&
+         std::all_of(finding.vertices.begin(), finding.vertices.end(), is_repeated);
+}
+
+void tell(const Result& result, const Surface& surface, const Polygon_soup& soup, Outcome& outcome)
+{
+  const bool is_like_soup = surface.is_like_soup(soup);
   outcome.exit_code = exit_code_of(result.status.code);
   outcome.message = outcome.exit_code == Exit_code::STOPPED ? stop_reason()
                                                            : message_of(result.status, surface, is_like_soup);
   outcome.witness = witness_of(result.status, surface);
   for(const SMC::Finding<Mesh>& warning : result.status.warnings)
-    if(warning.message.rfind(SMC::internal::coincident_vertices_warning, 0) != 0) // reading the surface has told more
+    if(warning.message.rfind(SMC::internal::coincident_vertices_warning, 0) != 0 && // reading the surface has told more
+       !is_about_repeated_points(warning, surface, soup))
       outcome.warnings.push_back(message_of(warning, surface, is_like_soup));
   outcome.has_result = result.has_result;
 
@@ -251,7 +262,7 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   const Constraints constraints = read_constraints(options, soup, surface);
   outcome.warnings.insert(outcome.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
   const Result result = run_library(mesh, options, constraints, is_cut, uvs);
-  tell(result, surface, surface.is_like_soup(soup), outcome);
+  tell(result, surface, soup, outcome);
   if(!outcome.has_result)
     return {};
 
