@@ -191,8 +191,8 @@ class Gltf(Case):
         first = {"asset": {"version": "1.0"}, "scene": "main", "scenes": {"main": {"nodes": []}}}
         compressed = with_other_text(data, lambda text: text.replace(
             b'"scene": 0', b'"scene": 0, "extensionsRequired": ["KHR_draco_mesh_compression"]'))
-        for name, content, reason in (("in.glb", data.replace(b"glTF\2", b"glTF\1", 1), "glTF 1 "),
-                                      ("in.gltf", json.dumps(first), "glTF 1 "),
+        for name, content, reason in (("in.glb", data.replace(b"glTF\2", b"glTF\1", 1), "gltf-pipeline"),
+                                      ("in.gltf", json.dumps(first), "gltf-pipeline"),
                                       ("in.glb", compressed, "KHR_draco_mesh_compression")):
             (self.folder / "out.obj").unlink(missing_ok=True)
             self.assertIn(reason, self.assert_refused(3, self.write(name, content), "-o", "out.obj")["message"])

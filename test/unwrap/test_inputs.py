@@ -116,7 +116,7 @@ class Inputs(Case):
                  "x": "DirectX", "abc": "Alembic", "ma": "Maya", "max": "3ds Max"}
         names = [("model.3mf", "3MF"), ("scene.usdz", "USD"), ("any.zip", "unpack")]
         for ending, content in contents.items():
-            for name in (f"a.{ending}", f"a.{ending.upper()}", f"{ending}.obj", f"{ending}_without"):
+            for name in (f"a.{ending}", f"a.{ending.upper()}", f"{ending}.obj", f"{ending}.glb", f"{ending}_without"):
                 names.append((self.write(name, content), words[ending]))
         for ending in ("c4d", "skp", "3ds", "iges", "igs", "dxf", "lwo"):
             names.append((self.write(f"b.{ending}", struct.pack("<8d", *range(8))), ""))
@@ -125,6 +125,9 @@ class Inputs(Case):
                 message = self.assert_refused(3, name)["message"]
                 self.assertIn(word, message)
                 self.assertTrue("export OBJ or GLB" in message or "unpack" in message, message)
+        for name in ("a.obj", "a.stl", "a.glb", "a.gltf"):
+            pointer = self.write(name, "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n")
+            self.assertIn("'git lfs pull'", self.assert_refused(3, pointer)["message"])
         self.assertEqual(self.unwrap("-", stdin=None, input=contents["fbx"]).returncode, 3)
         run = self.unwrap("-", stdin=None, input=b' {"asset": {"version": "2.0"}}')
         self.assertIn(b".gltf", run.stderr)

@@ -2,6 +2,7 @@
 
 #include "byte_order.h"
 #include "file_bytes.h"
+#include "foreign_formats.h"
 #include "gltf_uri.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace {
 
 constexpr std::string_view magic = "glTF";
 
+[[noreturn]] void fail_about_version_1() { fail("glTF 1 is not supported; 'gltf-pipeline -i IN -o OUT.glb' makes it glTF 2"); }
+
 // An error in a buffer names its number.
 std::string name_of(const char* kind, std::size_t index) { return kind + (" " + std::to_string(index)); }
 
@@ -24,7 +27,7 @@ void check_version(const Json& description)
   const Json* const asset = find(description, "asset");
   const std::string version = asset == nullptr ? "" : text_of(*asset, "version");
   if(version.compare(0, 2, "1.") == 0)
-    fail("glTF 1 is not supported, only version 2");
+    fail_about_version_1();
   if(version.compare(0, 2, "2.") != 0)
     fail("damaged glTF: its asset.version is " + quoted(version) + " instead of '2.0'");
 }
@@ -68,6 +71,8 @@ std::vector<Chunk> chunks_of(std::string_view bytes)
       fail("damaged glTF: the file is cut off");
     return load<std::uint32_t>(bytes.substr(at), false);
   };
+  if(number(4) == 1)
+    fail_about_version_1();
   if(number(4) != 2)
     fail("glTF " + std::to_string(number(4)) + " is not supported, only version 2");
   if(number(8) > bytes.size())
@@ -175,6 +180,8 @@ Document read_document(const std::string& path)
   const std::string bytes = read_bytes(path);
   if(bytes.empty())
     fail("the file is empty");
+  if(const std::string reason = refuse_foreign_content(bytes); !reason.empty())
+    fail(reason);
   return Document(bytes, "." / std::filesystem::path(path).parent_path());
 }
 

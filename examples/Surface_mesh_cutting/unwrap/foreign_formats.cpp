@@ -33,6 +33,8 @@ constexpr Sign endings[] = {
   {".hip", "a Houdini scene"}, {".sldprt", "a SolidWorks part"}, {".f3d", "a Fusion design"}, {".ifc", "IFC"},
   {".brep", "BREP"}, {".msh", "Gmsh"}, {".vtk", "VTK"}, {".vtu", "VTK"}, {".vrm", "VRM"}, {".mdl", "MDL"}, {".zip", "an archive"}};
 
+constexpr std::string_view git_lfs = "version https://git-lfs.github.com/spec/";
+
 // Those that are archives of other files.
 std::string_view format_in_archive(std::string_view bytes)
 {
@@ -57,9 +59,11 @@ std::string refusal(std::string_view format)
 
 } // namespace
 
-std::string refuse_content(std::string_view bytes)
+std::string refuse_foreign_content(std::string_view bytes)
 {
   constexpr std::size_t size_of_start = 1024;
+  if(bytes.substr(0, git_lfs.size()) == git_lfs)
+    return "the file only stands for one in Git LFS: 'git lfs pull' brings that one";
   if(const std::string_view format = find(beginnings, bytes); !format.empty())
     return refusal(format);
   if(const std::string_view archive = find(archives, bytes); !archive.empty())
@@ -71,6 +75,13 @@ std::string refuse_content(std::string_view bytes)
     return refusal("COLLADA");
   if(bytes.substr(0, size_of_start).find("<X3D") != std::string_view::npos)
     return refusal("X3D");
+  return {};
+}
+
+std::string refuse_content(std::string_view bytes)
+{
+  if(const std::string reason = refuse_foreign_content(bytes); !reason.empty())
+    return reason;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if(first < bytes.size() && bytes[first] == '{' && bytes.find("\"asset\"") != std::string_view::npos)
     return "the file is glTF in text, which may refer to other files: its name has to end in .gltf";
