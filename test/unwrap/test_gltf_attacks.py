@@ -122,6 +122,17 @@ class Attacks(Case):
             self.assertIn(name, message)
             self.assertIn(advice, message)
 
+    def test_shaders(self):
+        """Their extension hides no mesh; its views stay."""
+        name = "KHR_techniques_webgl"
+        file = builder(extensionsUsed=[name], extensionsRequired=[name])
+        file.description["extensions"] = {name: {"shaders": [{"type": 35632, "bufferView": file.view(b"void main() {}")}]}}
+        self.write("in.glb", file.glb())
+        self.report("in.glb", "-o", "out.glb")
+        data = (self.folder / "out.glb").read_bytes()
+        self.assertIn(name.encode(), data)
+        self.assertIn(b"void main() {}", data)
+
     def test_only_compressed(self):
         """Where the extension is used but not required, plain data have to be there, too."""
         file = builder(extensionsUsed=["KHR_draco_mesh_compression"])

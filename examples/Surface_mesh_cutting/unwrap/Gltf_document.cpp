@@ -43,7 +43,8 @@ std::string advice(const std::string& extension)
 
 void check_required(const Json& description)
 {
-  static const std::array<std::string, 2> supported = {{"KHR_mesh_quantization", "EXT_mesh_gpu_instancing"}};
+  static const std::array<std::string, 3> supported
+    = {{"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_techniques_webgl"}};
   for(const Json& name : list(description, "extensionsRequired"))
   {
     const std::string extension = name.is_string() ? name.get<std::string>() : "";
