@@ -8,7 +8,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from support import Case, PROGRAM, main, octahedron, sphere, to_obj, to_off, torus
+from support import Case, PROGRAM, main, octahedron, sphere, to_glb, to_obj, to_off, torus
 
 FOLDER = Path(__file__).parents[2] / "benchmark" / "Surface_mesh_cutting" / "Robustness" / "corpus"
 NOWHERE = ([("nan", 0, 0), *octahedron()[0][1:]], octahedron()[1])
@@ -22,6 +22,7 @@ class Corpus(Case):
         (self.folder / "meshes").mkdir()
         self.write("meshes/a mesh.off", to_off(sphere(1)))
         self.write("meshes/torus.obj", to_obj(torus()))
+        self.write("meshes/sphere.glb", to_glb(*sphere(1)))
         self.write("meshes/nowhere.off", to_off(NOWHERE))
         self.write("meshes/no_mesh.csv", "1,2")
 
@@ -70,11 +71,11 @@ class Corpus(Case):
             results.write('{"mesh": "meshes/now')  # as a killed run may leave it
         table = run("meshes", "--jobs", 2)
         lines = (self.folder / "results").read_text().splitlines()
-        self.assertEqual(len(lines), 4)
+        self.assertEqual(len(lines), 5)
         self.assertEqual(run("meshes"), table)
         self.assertEqual((self.folder / "results").read_text().splitlines(), lines)
         self.assertIn("refused: meshes/nowhere.off", table)
-        self.assertEqual(table.splitlines()[1].split()[:4], ["(none)", "3", "2", "1"])
+        self.assertEqual(table.splitlines()[1].split()[:4], ["(none)", "4", "3", "1"])
         table = run("meshes", "--options", "--effort fast")
         self.assertEqual(len(table.splitlines()), 5)  # heading, two sets of options, two refusals
 
@@ -88,7 +89,7 @@ class Corpus(Case):
                            env={**os.environ, "SLURM_ARRAY_TASK_ID": str(part), "SLURM_ARRAY_TASK_COUNT": "2"})
         parts = [[json.loads(line) for line in (self.folder / f"parts/{part}.jsonl").read_text().splitlines()]
                  for part in range(2)]
-        self.assertEqual([len(records) for records in parts], [2, 1])
+        self.assertEqual([len(records) for records in parts], [2, 2])
         results = lambda records: sorted((record["mesh"], record["outcome"], record["digest"] or "") for record in records)
         self.assertEqual(results(parts[0] + parts[1]), results(self.records()))
 

@@ -18,7 +18,7 @@ import sys
 from outcomes import read_records, table
 
 RUN_MESH = pathlib.Path(__file__).with_name("run_mesh.py")
-SUFFIXES = {".off", ".obj", ".ply", ".stl"}
+SUFFIXES = {".off", ".obj", ".ply", ".stl", ".glb", ".gltf"}
 
 
 def meshes_in(places):
