@@ -2,13 +2,16 @@
 
 import math
 
-from solids import SOLIDS
+from solids import SOLIDS, extruded, polygon
 from support import Case, main, to_off
 
 
 class Solids(Case):
     def measures(self, name, *options):
-        self.write("solid.off", to_off(SOLIDS[name]))
+        return self.measures_of(SOLIDS[name], *options)
+
+    def measures_of(self, solid, *options):
+        self.write("solid.off", to_off(solid))
         _, report = self.report("solid.off", "-o", "out.obj", "--quiet", *options)
         self.assertEqual((report["status"], report["overlaps"], report["flips"]), ("done", 0, 0))
         return report["cut_length"], report["E_iso"]
@@ -41,6 +44,14 @@ class Solids(Case):
         length, energy = self.measures("box 100 60 0.5")
         self.assertAlmostEqual(energy, 4, delta=1e-3)
         self.assertLess(length, 2)
+
+    # Caps that are fans of needles around a corner: a disk of so many triangles has to be made coarser all the same.
+    def test_needles(self):
+        n = 500
+        points, (bottom, top, *sides) = extruded(polygon(n), 3)
+        fans = [(cap[0], cap[i], cap[i + 1]) for cap in (bottom, top) for i in range(1, n - 1)]
+        _, energy = self.measures_of((points, [*fans, *sides]), "--effort", "fast")
+        self.assertLess(energy, 4.1)
 
 
 main()

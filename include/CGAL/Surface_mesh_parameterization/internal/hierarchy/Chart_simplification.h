@@ -196,10 +196,11 @@ private:
     return none;
   }
 
-  // Whether no remaining triangle turns over, or becomes a needle or a worse one.
+  // Whether no remaining triangle turns over, or becomes a needle, or a far worse one.
   bool keeps_shape(int v, const Neighborhood& around, int j) const
   {
     constexpr double good_quality = 0.15; // enough for any triangle
+    constexpr double kept_quality = 0.5;  // of a worse one, relative: among needles, nothing could go otherwise
     const Eigen::Vector3d &p = m_points[v], &q = m_points[around.ring[j]];
     const int size = int(around.ring.size());
     for(int i = 0; i < int(around.fan.size()); ++i)
@@ -210,7 +211,9 @@ private:
       const Eigen::Vector3d &a = m_points[around.ring[i]], &b = m_points[around.ring[next]];
       const Eigen::Vector3d edge = b - a;
       const Eigen::Vector3d before = cross_product(edge, p - a), after = cross_product(edge, q - a);
-      if(before.dot(after) < 0 || quality(edge, q - a, after) < (std::min)(good_quality, quality(edge, p - a, before)))
+      if(before.dot(after) < 0)
+        return false;
+      if(quality(edge, q - a, after) < (std::min)(good_quality, kept_quality * quality(edge, p - a, before)))
         return false;
     }
     return true;
