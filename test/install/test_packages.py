@@ -94,6 +94,7 @@ class Library(Case):
             name = dependency.split()[0]
             self.assertIn("installed", self.run_here("/usr/bin/dpkg-query", "--show", "--showformat", "${db:Status-Status}", name))
         self.run_here("/usr/bin/dpkg-deb", "-x", package, self.folder, environment=PATH)
+        self.assertIn("License: GPL-3+", (self.folder / "usr/share/doc/libsurface-mesh-cutting-dev/copyright").read_text())
         readme = (ROOT / "README.md").read_text()
         for language, name in ("cmake", "CMakeLists.txt"), ("cpp", "main.cpp"):
             (self.folder / name).write_text(re.search(rf"\n```{language}\n([^`]*)```\n", readme)[1])
