@@ -68,7 +68,7 @@ int main()
   using namespace budgets_test;
   // A search that finds a cut through 240 points and refines it takes 165,000 steps.
   test_rounded("blobby.off", 30, 250000);
-  // Three starts that lead nowhere take 15,000.
-  test_rounded("camel.off", 100, 20000);
+  // Starts through needles, half of which lead nowhere, take 25,000.
+  test_rounded("camel.off", 100, 40000);
   return test::exit_status();
 }
