@@ -191,11 +191,13 @@ class Gltf(Case):
         first = {"asset": {"version": "1.0"}, "scene": "main", "scenes": {"main": {"nodes": []}}}
         compressed = with_other_text(data, lambda text: text.replace(
             b'"scene": 0', b'"scene": 0, "extensionsRequired": ["KHR_draco_mesh_compression"]'))
-        for name, content, reason in (("in.glb", data.replace(b"glTF\2", b"glTF\1", 1), "gltf-pipeline"),
-                                      ("in.gltf", json.dumps(first), "gltf-pipeline"),
-                                      ("in.glb", compressed, "KHR_draco_mesh_compression")):
+        for name, content, reason, program in (("in.glb", data.replace(b"glTF\2", b"glTF\1", 1), "glTF 1 ", "gltf-pipeline"),
+                                               ("in.gltf", json.dumps(first), "glTF 1 ", "gltf-pipeline"),
+                                               ("in.glb", compressed, "KHR_draco_mesh_compression", "gltf-transform")):
             (self.folder / "out.obj").unlink(missing_ok=True)
-            self.assertIn(reason, self.assert_refused(3, self.write(name, content), "-o", "out.obj")["message"])
+            message = self.assert_refused(3, self.write(name, content), "-o", "out.obj")["message"]
+            self.assertIn(reason, message)
+            self.assertIn(program, message)
 
     def test_single_precision(self):
         """The layout is proven as the file holds it: what is lost is counted and told."""

@@ -1,6 +1,5 @@
 #include "Gltf_data.h"
 
-
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -128,12 +128,11 @@ private:
   std::vector<Component_result> results_of_race(const Race& race, const Run_plan& plan, const Context& context,
                                                 const Finish& finish) const
   {
-    constexpr int most_finalists = 4; // each searches for room
     std::vector<Runner> runners = race.run();
     if(!runners.front().refiner)
       return {Finisher::result_without_cut(runners.front().detected)};
     std::vector<Component_result> results(1, finish(runners[0]));
-    const int number = (std::min)(int(runners.size()), most_finalists);
+    const int number = (std::min)(int(runners.size()), plan.number_of_finalists());
     for(int i = 1; i < number && runners[i].refiner && goes_on_after(results) && context.control.go_further(); ++i)
     {
       if(i >= plan.number_of_refined())

@@ -38,6 +38,7 @@ struct Run_plan
 
   int number_of_prepared() const { return (number_of_starts + 1) / 2; }    // the better half, brought to the bound
   int number_of_refined() const { return (number_of_prepared() + 1) / 2; } // the better half of these, refined further
+  int number_of_finalists() const { return (std::min)(number_of_prepared(), 4); } // at most, finished where room is short
 
   bool is_coarsened() const { return number_of_faces > 0; }
   bool refines() const { return number_of_solves > 0; }
@@ -55,7 +56,7 @@ inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, c
   if(parameters.use_published_method)
     return plan;
   const int faces = plan.is_coarsened() ? plan.number_of_faces : all_faces;
-  const auto affordable = [faces](int most, int work) { return (std::max)(1, (std::min)(most, work / faces)); };
+  const auto affordable = [faces](int most, int work) { return std::clamp(work / faces, 1, most); };
   constexpr int most_starts = 24;
   const int length_of_way = has_bound ? 3 : 1; // without a bound, a cut is near its optimum from the start
   switch(effort)
@@ -64,7 +65,7 @@ inline Run_plan make_plan(Effort effort, const Cutting_parameters& parameters, c
     plan.number_of_solves = !has_bound && parameters.needs_optimal_tree ? 0 : affordable(24, 20000 * length_of_way);
     break;
   case Effort::DEFAULT:
-    plan.number_of_starts = (std::min)(most_starts, (std::max)(1, int(400 / std::sqrt(double(faces))))); // small ones vary more
+    plan.number_of_starts = std::clamp(int(400 / std::sqrt(double(faces))), 1, most_starts); // small ones vary more
     plan.number_of_solves = affordable(60, 100000 * length_of_way);
     plan.rounds_of_moved_ends = has_bound ? 2 : 1;
     break;
