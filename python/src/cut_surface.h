@@ -37,6 +37,9 @@ struct Cutting_options
   bool use_published_method = false;
   bool do_bijective = true;
   double maximum_average_distortion = std::numeric_limits<double>::infinity();
+  double maximum_face_distortion = std::numeric_limits<double>::infinity();
+  double face_distortion_quantile = 1;
+  double maximum_chart_distortion = std::numeric_limits<double>::infinity();
   double minimum_distortion_decrease = 0.01;
   double minimum_length_decrease = 0.01;
   double minimum_area_ratio = 0.1;

@@ -48,6 +48,9 @@ Cutting_options read_cutting_options(const Call& call)
   read(call, "faithful", options.use_published_method);
   read(call, "bijective", options.do_bijective);
   read(call, "maximum_average_distortion", options.maximum_average_distortion);
+  read(call, "maximum_face_distortion", options.maximum_face_distortion);
+  read(call, "face_distortion_quantile", options.face_distortion_quantile);
+  read(call, "maximum_chart_distortion", options.maximum_chart_distortion);
   read(call, "minimum_distortion_decrease", options.minimum_distortion_decrease);
   read(call, "minimum_length_decrease", options.minimum_length_decrease);
   read(call, "minimum_area_ratio", options.minimum_area_ratio);
@@ -101,6 +104,15 @@ py::dict describe(Cut_surface surface)
   result["cpu_seconds"] = to_dict(found.cpu_seconds, surface.packing_cpu_seconds);
   result["average_distortion"] = found.average_distortion;
   result["largest_face_distortion"] = found.largest_face_distortion;
+  py::dict quantiles;
+  for(const auto& [share, energy] : found.distortion_quantiles)
+    quantiles[py::float_(share)] = energy;
+  result["distortion_quantiles"] = quantiles;
+  py::list charts;
+  for(const CGAL::Surface_mesh_cutting::Chart_distortion& chart : found.charts)
+    charts.append(py::dict(py::arg("mean") = chart.average, py::arg("max") = chart.largest,
+                           py::arg("faces") = chart.number_of_faces));
+  result["charts_distortion"] = charts;
   result["number_of_charts"] = surface.number_of_charts;
   result["uv_scale"] = surface.uv_scale;
   result["fill"] = surface.fill ? py::object(py::float_(*surface.fill)) : py::none();

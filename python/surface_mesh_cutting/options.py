@@ -110,6 +110,13 @@ class CuttingOptions(ConnectionOptions, total=False):
     maximum_average_distortion : float, optional
         An upper bound, greater than 4, on the area-averaged symmetric Dirichlet energy. The cut grows until the map keeps
         it; if none does, the status is ``"bound_not_reached"``. No bound by default.
+    maximum_face_distortion : float, optional
+        An upper bound, greater than 4, on the symmetric Dirichlet energy of each face. The map is flattened where faces
+        exceed it, and the cut grows to those that still do. No bound by default.
+    face_distortion_quantile : float, optional
+        The share of the area, at most 1, whose faces keep that bound. 1 by default.
+    maximum_chart_distortion : float, optional
+        An upper bound, greater than 4, on the area-averaged energy of each chart. No bound by default.
     terminals : array_like of int, shape (k,), optional
         Points that the cut must pass through, unless they lie on a border.
     initial_cut : array_like of int, shape (k, 2), optional
@@ -133,6 +140,9 @@ class CuttingOptions(ConnectionOptions, total=False):
 
     effort: Literal["fast", "default", "best"]
     maximum_average_distortion: Optional[float]
+    maximum_face_distortion: Optional[float]
+    face_distortion_quantile: Optional[float]
+    maximum_chart_distortion: Optional[float]
     terminals: Optional[ArrayLike]
     initial_cut: Optional[ArrayLike]
     faithful: bool
@@ -248,7 +258,8 @@ _READERS: dict[str, Callable[[str, Any], Any]] = {
     "terminals": _terminals,
     "connection": choice(*CONNECTIONS), "maximum_number_of_states": integer(0, 2**63 - 1),
     "effort": choice(*EFFORTS), "faithful": flag, "seed": integer(0, 2**32 - 1),
-    **dict.fromkeys(["maximum_average_distortion", "minimum_distortion_decrease", "minimum_length_decrease",
+    **dict.fromkeys(["maximum_average_distortion", "maximum_face_distortion", "face_distortion_quantile",
+                     "maximum_chart_distortion", "minimum_distortion_decrease", "minimum_length_decrease",
                      "minimum_area_ratio", "influence_threshold", "forbidden_radius"], real)}
 
 
@@ -264,6 +275,8 @@ def _read_weights(name: str, value: Any) -> dict[str, Any]:
 # Names that the program, the C++ functions or usage elsewhere have for options.
 OTHER_NAMES = {
     "max_distortion": "maximum_average_distortion", "bound": "maximum_average_distortion",
+    "max_face_distortion": "maximum_face_distortion", "face_quantile": "face_distortion_quantile",
+    "max_chart_distortion": "maximum_chart_distortion",
     "must_cut": "mandatory_edges", "edge_is_constrained_map": "mandatory_edges",
     "never_cut": "forbidden_edges", "edge_is_forbidden_map": "forbidden_edges",
     "edge_weight_map": "edge_weights", "weights": "edge_weights",

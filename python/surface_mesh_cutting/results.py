@@ -149,6 +149,10 @@ class UnwrapResult(CutResult):
     average_distortion, largest_face_distortion : float
         The symmetric Dirichlet energy of the map at the scale of the surface: its average by area, and that of the worst
         face. 4 is ideal.
+    distortion_quantiles : dict of float to float
+        For shares of the area, 0.5, 0.9, 0.99, 0.999 and 1, the least energy that the faces of so much area do not exceed.
+    charts_distortion : list of dict
+        For each chart, the mean and the largest energy of its faces, and their number: ``mean``, ``max``, ``faces``.
     number_of_charts : int
         Parts of the surface that are connected across edges not cut.
     uv_scale : float
@@ -162,6 +166,8 @@ class UnwrapResult(CutResult):
     uv_points: Indices
     average_distortion: float
     largest_face_distortion: float
+    distortion_quantiles: dict[float, float]
+    charts_distortion: list[dict[str, Any]]
     number_of_charts: int
     uv_scale: float
     fill: Optional[float]

@@ -47,6 +47,8 @@ def test_same_bytes_as_the_program(program, tmp_path, make_mesh, name, options, 
     assert len(result.uv) == len(uv)
     assert result.average_distortion == report["E_iso"]
     assert result.largest_face_distortion == report["E_max"]
+    assert list(result.distortion_quantiles.values()) == list(report["E_quantiles"].values())
+    assert result.charts_distortion == report["charts_distortion"]
     assert result.cut_length / result.bounding_box_diagonal == report["cut_length"]
     assert (result.uv_scale, result.fill, result.number_of_charts) == (report["uv_scale"], report["fill"], report["charts"])
     assert len(result.feature_points) == report["features"]

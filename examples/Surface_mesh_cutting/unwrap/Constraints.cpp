@@ -1,22 +1,12 @@
 #include "Constraints.h"
 
 #include "constraint_files.h"
+#include "known_edges.h"
 #include "named_elements.h"
 #include "stop_request.h"
-#include "uv_seams.h"
 #include "weigh_edges.h"
 
 namespace {
-
-void mark_seams(const std::string& option, const Polygon_soup& soup, const Surface& surface,
-                Mesh::Property_map<Edge, bool> is_marked, std::vector<std::string>& warnings)
-{
-  const std::vector<Edge> seams = uv_seams(option, soup, surface);
-  for(const Edge e : seams)
-    is_marked[e] = true;
-  if(seams.empty())
-    warnings.push_back(option + ": the texture coordinates of the input have no seam");
-}
 
 void mark_edges(const std::string& option, const std::string& path, const Named_elements& names,
                 Mesh::Property_map<Edge, bool> is_marked, std::vector<std::string>& warnings)
@@ -55,17 +45,16 @@ Constraints read_constraints(const Options& options, const Polygon_soup& soup, S
   constraints.must_not_be_cut = mesh.add_property_map<Edge, bool>("e:must_not_be_cut", false).first;
   constraints.is_initially_cut = mesh.add_property_map<Edge, bool>("e:is_initially_cut", false).first;
   constraints.is_terminal = mesh.add_property_map<Vertex, bool>("v:is_terminal", false).first;
-  const auto mark_edges_or_seams
-    = [&](const std::string& option, const std::string& value, Mesh::Property_map<Edge, bool> is_marked)
-  {
-    if(value == seams_of_input)
-      mark_seams(option, soup, surface, is_marked, constraints.warnings);
+  for(const std::string& word : options.must_cut)
+    if(is_word_for_edges(word))
+      mark_known_edges("--must-cut", word, soup, surface, constraints.must_be_cut, constraints.warnings);
     else
-      mark_edges(option, value, names, is_marked, constraints.warnings);
-  };
-  mark_edges_or_seams("--must-cut", options.must_cut, constraints.must_be_cut);
+      mark_edges("--must-cut", word, names, constraints.must_be_cut, constraints.warnings);
   mark_edges("--never-cut", options.never_cut, names, constraints.must_not_be_cut, constraints.warnings);
-  mark_edges_or_seams("--initial-cut", options.initial_cut, constraints.is_initially_cut);
+  if(options.initial_cut == seams_of_input)
+    mark_known_edges("--initial-cut", seams_of_input, soup, surface, constraints.is_initially_cut, constraints.warnings);
+  else
+    mark_edges("--initial-cut", options.initial_cut, names, constraints.is_initially_cut, constraints.warnings);
   mark_vertices("--terminals", options.terminals, names, constraints.is_terminal, constraints.warnings);
   end_if_stop_is_requested();
   if(options.edge_weights.empty())

@@ -14,15 +14,15 @@ std::string* find_name(const std::string& keyword, std::array<std::string, 3>& n
 
 } // namespace
 
-Mesh_parts find_parts(const Layout& layout)
+Mesh_parts find_parts(const Obj_statements& statements, int number_of_polygons)
 {
   std::array<std::string, 3> names; // of object, group and material
   std::map<std::array<std::string, 3>, std::vector<int> > polygons;
-  auto line = layout.obj_statements.lines.begin();
+  auto line = statements.lines.begin();
   std::vector<int>* part = nullptr; // to which the next polygon belongs
-  for(int polygon = 0; polygon < int(layout.polygon_ends.size()); ++polygon)
+  for(int polygon = 0; polygon < number_of_polygons; ++polygon)
   {
-    for(; line != layout.obj_statements.lines.end() && line->polygon <= polygon; ++line)
+    for(; line != statements.lines.end() && line->polygon <= polygon; ++line)
     {
       const std::size_t blank = line->text.find(' ');
       if(std::string* const name = find_name(line->text.substr(0, blank), names))
@@ -37,7 +37,7 @@ Mesh_parts find_parts(const Layout& layout)
   }
 
   Mesh_parts result;
-  result.polygon_parts.resize(layout.polygon_ends.size());
+  result.polygon_parts.resize(std::size_t(number_of_polygons));
   for(const auto& [key, members] : polygons)
   {
     for(const int polygon : members)

@@ -3,7 +3,7 @@
 #ifndef UNWRAP_MESH_PARTS_H
 #define UNWRAP_MESH_PARTS_H
 
-#include "Layout.h"
+#include "Polygon_soup.h"
 
 #include <string>
 #include <vector>
@@ -20,6 +20,7 @@ struct Mesh_parts
   std::vector<int> polygon_parts; // per polygon
 };
 
-Mesh_parts find_parts(const Layout& layout);
+// What the statements say about polygons. Those of glTF are in the words of OBJ.
+Mesh_parts find_parts(const Obj_statements& statements, int number_of_polygons);
 
 #endif // UNWRAP_MESH_PARTS_H

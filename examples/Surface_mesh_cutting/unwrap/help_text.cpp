@@ -53,13 +53,16 @@ the format of the output cannot hold. A name may not end like that of another fo
 when the run is complete.
 
 Constraints: SEL is a CGAL .selection.txt file: three lines with vertices, faces, and edges as pairs
-of vertices, all counted from 0. For --must-cut and --initial-cut, uv stands for the seams of the
+of vertices, all counted from 0. For --must-cut, angle:DEGREES stands for the edges where the
+surface bends by at least so much, materials and groups for the borders of those of OBJ and
+glTF. For --must-cut and --initial-cut, uv stands for the seams of the
 texture coordinates in INPUT, the edges at which those of the two faces differ (vt of OBJ,
 texcoord or s and t of PLY, TEXCOORD_0 of glTF, STOFF).
 
 Weights: what a cut costs, by default its length, times the factors of all --edge-weights given:
   crease          0.2 at sharp edges, up to 1 where the surface is flat
   concave         the same, but 0.6 at sharp convex edges
+  hard            0.2 where the surface bends by 60 degrees or more, else 1
   straight        0.2 along and across the direction in which the surface bends most, up to 1
                   between them and where it bends alike in all directions
   visibility      0.25 where the surface hides the edge from all sides, up to 1

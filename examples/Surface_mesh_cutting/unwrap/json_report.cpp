@@ -59,6 +59,22 @@ Json to_json(const std::vector<Interpretation>& interpreted)
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
+Json quantiles_to_json(const std::vector<std::array<double, 2> >& quantiles)
+{
+  Json object = Json::object();
+  for(const auto& [share, energy] : quantiles)
+    object[share == 1 ? std::string("1") : Json(share).dump()] = number(energy);
+  return object;
+}
+
+Json charts_to_json(const std::vector<CGAL::Surface_mesh_cutting::Chart_distortion>& charts)
+{
+  Json list = Json::array();
+  for(const CGAL::Surface_mesh_cutting::Chart_distortion& chart : charts)
+    list.push_back({{"mean", number(chart.average)}, {"max", number(chart.largest)}, {"faces", chart.number_of_faces}});
+  return list;
+}
+
 // The columns of the parameterization benchmark.
 Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Distortion_measures>& measures)
 {
@@ -124,6 +140,8 @@ std::string to_json(const Outcome& outcome)
     {"optimal", to_json(outcome.is_optimal)},
     {"E_iso", to_json(outcome.average_energy)},
     {"E_max", to_json(outcome.maximum_energy)},
+    {"E_quantiles", quantiles_to_json(outcome.energy_quantiles)},
+    {"charts_distortion", charts_to_json(outcome.chart_energies)},
     {"flips", to_json(outcome.flips)},
     {"overlaps", to_json(outcome.overlaps)},
     {"charts", to_json(outcome.charts)},

@@ -3,6 +3,7 @@
 #include "command_line_checks.h"
 #include "file_extension.h"
 #include "help_text.h"
+#include "known_edges.h"
 #include "option_values.h"
 #include "outcome.h"
 #include "program_version.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -86,7 +88,7 @@ void add_output_options(CLI::App& app, Options& options)
 void add_method_options(CLI::App& app, Options& options)
 {
   const std::string group = "Method";
-  constexpr double largest = 1e9, ideal = 4;
+  constexpr double largest = 1e9, ideal = 4, least_quantile = 0.001;
   add_choice(app, "--effort", options.effort,
              "How hard to look for a short cut: fast improves\none start a little, default tries a few starts,\nbest many",
              {"fast", "default", "best"})->group(group);
@@ -101,6 +103,21 @@ void add_method_options(CLI::App& app, Options& options)
        { options.maximum_average_distortion = parse_bound("--max-distortion", word, ideal, largest); },
        "Upper bound on the mean energy: 4 is no distortion, 4.1\na stretch of 12 % on average, barely visible")
     ->type_name("B")->default_str("none")->group(group);
+  app.add_option_function<std::string>(
+       "--max-face-distortion",
+       [&options](const std::string& word)
+       { options.maximum_face_distortion = parse_bound("--max-face-distortion", word, ideal, largest); },
+       "Upper bound on the energy of each triangle")
+    ->type_name("B")->default_str("none")->group(group);
+  add_number<double>(app, "--face-quantile", options.face_quantile,
+                     "Share of the area whose triangles keep that bound", least_quantile, 1)
+    ->type_name("Q")->default_str("1")->group(group);
+  app.add_option_function<std::string>(
+       "--max-chart-distortion",
+       [&options](const std::string& word)
+       { options.maximum_chart_distortion = parse_bound("--max-chart-distortion", word, ideal, largest); },
+       "Upper bound on the mean energy of each chart")
+    ->type_name("B")->default_str("none")->group(group);
 }
 
 Weight_choice parse_weights(const std::string& word)
@@ -114,8 +131,10 @@ Weight_choice parse_weights(const std::string& word)
 void add_constraint_options(CLI::App& app, Options& options)
 {
   const std::string group = "Constraints";
-  app.add_option("--must-cut", options.must_cut, "Edges to cut in any case; they may separate the mesh")
-    ->type_name("SEL|uv")->group(group);
+  app.add_option("--must-cut", options.must_cut,
+                 "Edges to cut in any case; they may separate the mesh: a\nfile, uv, angle:DEGREES, materials or groups. Can be given\n"
+                 "several times")
+    ->option_text("EDGES")->allow_extra_args(false)->group(group);
   app.add_option("--never-cut", options.never_cut, "Edges never to cut")->type_name("SEL")->group(group);
   app.add_option("--initial-cut", options.initial_cut,
                  "Cut to start from, such as seams drawn by hand; it is connected,\nextended and shortened, and may lose edges")
@@ -131,6 +150,13 @@ void add_constraint_options(CLI::App& app, Options& options)
        "Cost of cutting an edge, instead of its length: crease,\nvisibility, FILE and others (--help-all). Can be given\n"
        "several times: the factors multiply")
     ->option_text("WEIGHTS")->allow_extra_args(false)->group(group);
+  app.add_flag_callback("--hard-surface", [&options]
+                        {
+                          for(const char* const word : {"hard", "straight"})
+                            options.edge_weights.push_back(parse_weights(word));
+                        },
+                        "For modeled parts with flat sides: cuts along hard edges and\nstraight ones; short for "
+                        "--edge-weights hard --edge-weights straight")->group(group);
 }
 
 void add_run_options(CLI::App& app, Options& options)
@@ -181,6 +207,10 @@ void complete(Options& options)
     refuse("--margin must be less than half of --texture-size");
   if(options.weld == "off" && options.weld_tolerance > 0)
     refuse("--weld-tolerance needs --weld on or auto");
+  for(const std::string& word : options.must_cut)
+    is_word_for_edges(word); // or throws
+  if(options.face_quantile < 1 && !options.maximum_face_distortion)
+    refuse("--face-quantile needs --max-face-distortion");
   if(options.has_tangents && !is_gltf(options.output))
     refuse("--tangents needs an output in glTF: -o OUT.glb or OUT.gltf");
   if(options.output.empty())
@@ -196,16 +226,20 @@ bool is_injective(const Options& options)
 
 Attributes wanted_attributes(const Options& options)
 {
-  return {options.must_cut == seams_of_input || options.initial_cut == seams_of_input, options.weld != "off", true,
+  const std::vector<std::string>& must_cut = options.must_cut;
+  const bool needs_uvs = options.initial_cut == seams_of_input ||
+                         std::find(must_cut.begin(), must_cut.end(), seams_of_input) != must_cut.end();
+  return {needs_uvs, options.weld != "off", true,
           is_ply(options.output), is_gltf(options.output)};
 }
 
 std::vector<std::string> constraint_files(const Options& options)
 {
   std::vector<std::string> files = {options.never_cut, options.terminals};
-  for(const std::string& selection : {options.must_cut, options.initial_cut})
-    if(selection != seams_of_input)
-      files.push_back(selection);
+  if(options.initial_cut != seams_of_input)
+    files.push_back(options.initial_cut);
+  std::copy_if(options.must_cut.begin(), options.must_cut.end(), std::back_inserter(files),
+               [](const std::string& word) { return !is_word_for_edges(word); });
   for(const Weight_choice& choice : options.edge_weights)
     files.push_back(choice.file);
   files.erase(std::remove(files.begin(), files.end(), ""), files.end());

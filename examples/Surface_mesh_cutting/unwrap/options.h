@@ -34,11 +34,13 @@ struct Options
   bool is_faithful = false;
   std::optional<std::string> connect; // mst, sph, greedy, exact, best
   bool is_bijective = false, may_overlap = false;
-  std::optional<double> maximum_average_distortion;
+  std::optional<double> maximum_average_distortion, maximum_face_distortion, maximum_chart_distortion;
+  double face_quantile = 1; // of the area
   std::optional<double> eps_iso, eps_len, alpha, beta;
 
-  // Files; an empty name stands for none. The first two may also be `seams_of_input`.
-  std::string must_cut, initial_cut, never_cut, terminals;
+  std::vector<std::string> must_cut; // files, or words for edges that the input tells, see `mark_known_edges()`
+  // Files; an empty name stands for none. The first one may also be `seams_of_input`.
+  std::string initial_cut, never_cut, terminals;
   std::vector<Weight_choice> edge_weights; // their factors multiply
 
   std::uint32_t seed = 0;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
 #include <CGAL/Surface_mesh_cutting/Phase_counts.h>
+#include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
 
 #include <array>
 #include <cstdint>
@@ -70,6 +71,8 @@ struct Outcome
   std::optional<double> cut_length, cut_cost, lower_bound; // over the bounding box diagonal
   std::optional<bool> is_optimal;
   std::optional<double> average_energy, maximum_energy;
+  std::vector<std::array<double, 2> > energy_quantiles; // shares of the area, and what they do not exceed
+  std::vector<CGAL::Surface_mesh_cutting::Chart_distortion> chart_energies;
   std::optional<int> flips, overlaps, charts;
   std::optional<double> uv_scale, fill; // UV units per unit of length; of the unit square
   std::optional<CGAL::Surface_mesh_cutting::Distortion_measures> distortion; // if there is a report

@@ -163,6 +163,8 @@ void tell(const Result& result, const Surface& surface, const Polygon_soup& soup
   outcome.is_optimal = result.is_optimal;
   outcome.average_energy = result.average_distortion;
   outcome.maximum_energy = result.largest_face_distortion;
+  outcome.energy_quantiles = result.distortion_quantiles;
+  outcome.chart_energies = result.charts;
   outcome.flips = result.flips;
   outcome.overlaps = result.overlaps;
   outcome.trade_offs = best_trade_offs(result);
@@ -199,6 +201,9 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .do_bijective(is_injective(options))
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
       .maximum_average_distortion(options.maximum_average_distortion.value_or(std::numeric_limits<double>::infinity()))
+      .maximum_face_distortion(options.maximum_face_distortion.value_or(std::numeric_limits<double>::infinity()))
+      .face_distortion_quantile(options.face_quantile)
+      .maximum_chart_distortion(options.maximum_chart_distortion.value_or(std::numeric_limits<double>::infinity()))
       .minimum_distortion_decrease(options.eps_iso.value_or(0.01))
       .minimum_length_decrease(options.eps_len.value_or(0.01))
       .minimum_area_ratio(options.alpha.value_or(0.1))

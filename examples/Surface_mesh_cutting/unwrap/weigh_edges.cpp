@@ -2,6 +2,7 @@
 
 #include "Stop_visitor.h"
 #include "constraint_files.h"
+#include "known_edges.h"
 #include "named_elements.h"
 #include "outcome.h"
 #include "stop_request.h"
@@ -73,6 +74,16 @@ Paint paint_by_color(const Polygon_soup& soup, Surface& surface)
   return paint;
 }
 
+void multiply_by_hardness(Mesh& mesh, Weights weights)
+{
+  constexpr double hard_angle = 60; // degrees
+  const Mesh::Property_map<Edge, bool> is_hard = mesh.add_property_map<Edge, bool>("", false).first;
+  mark_hard_edges(mesh, hard_angle, is_hard);
+  for(const Edge e : mesh.edges())
+    if(is_hard[e])
+      weights[e] = product(weights[e], smallest_factor);
+}
+
 template <typename NamedParameters>
 void multiply_by_visibility(const Mesh& mesh, Weights weights, const NamedParameters& view)
 {
@@ -92,6 +103,7 @@ void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& so
     case Kind::CONCAVE:
       SMC::crease_weights(mesh, weights, smallest_factor, given.smallest_convex_factor(smallest_convex_factor));
       break;
+    case Kind::HARD: multiply_by_hardness(mesh, weights); break;
     case Kind::STRAIGHT: SMC::straightness_weights(mesh, weights, smallest_factor, given); break;
     case Kind::VISIBILITY: multiply_by_visibility(mesh, weights, CGAL::parameters::random_seed(0)); break;
     case Kind::OCCLUSION:

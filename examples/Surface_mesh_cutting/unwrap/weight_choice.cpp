@@ -25,7 +25,8 @@ std::optional<Weight_choice> parse_sky(const std::string& axis)
 }
 
 const std::map<std::string, Kind> names_of_kinds
-  = {{"crease", Kind::CREASE},         {"concave", Kind::CONCAVE},     {"straight", Kind::STRAIGHT},
+  = {{"crease", Kind::CREASE},         {"concave", Kind::CONCAVE},     {"hard", Kind::HARD},
+     {"straight", Kind::STRAIGHT},
      {"visibility", Kind::VISIBILITY}, {"occlusion", Kind::OCCLUSION}, {"sky", Kind::SKY},
      {"colors", Kind::COLORS}};
 

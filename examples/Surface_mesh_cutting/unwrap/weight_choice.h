@@ -9,7 +9,7 @@
 
 struct Weight_choice
 {
-  enum class Kind { CREASE, CONCAVE, STRAIGHT, VISIBILITY, OCCLUSION, SKY, COLORS, PAINT, EDGES };
+  enum class Kind { CREASE, CONCAVE, HARD, STRAIGHT, VISIBILITY, OCCLUSION, SKY, COLORS, PAINT, EDGES };
 
   Kind kind = Kind::EDGES;
   std::string file; // of PAINT and EDGES

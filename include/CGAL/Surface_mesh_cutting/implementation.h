@@ -29,22 +29,18 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_solver_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers_impl.h>
-
 #include <CGAL/Surface_mesh_parameterization/internal/Chart_parameterizer_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map_impl.h>
-
 #include <CGAL/boost/graph/internal/Steiner_tree/solve_impl.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/connect_indexed_points.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/pack_indexed_charts.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_packing.h>
-
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/measure_indexed_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/mesh_warnings.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/visibilities.h>
-
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter_impl.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/read_soup.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/triangulate_polygons.h>

@@ -44,6 +44,9 @@ struct Cutting_parameters
   double decrease_per_cost = 0.15;           // of the energy, for a slit to be worth its length in
                                              // bounding box diagonals
   double maximum_average_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of the UVs
+  double maximum_face_distortion = std::numeric_limits<double>::infinity();  // of so large a share of the area:
+  double face_distortion_quantile = 1;
+  double maximum_chart_distortion = std::numeric_limits<double>::infinity(); // area-averaged, of each chart
   bool has_weights = false;                  // whether edges cost other than their length
   double minimum_area_ratio = 0.1;           // alpha
   double influence_threshold = 20;           // beta
@@ -79,6 +82,12 @@ struct Cutting_parameters
   }
 
   bool has_bound() const { return maximum_average_distortion < std::numeric_limits<double>::infinity(); }
+
+  // Whether single faces or charts have bounds of their own.
+  bool has_local_bounds() const
+  {
+    return (std::min)(maximum_face_distortion, maximum_chart_distortion) < std::numeric_limits<double>::infinity();
+  }
 
   // Whether more remedies are tried where a map without overlaps has too little room.
   bool widens_search() const { return effort != Effort::FAST && !use_published_method; }

@@ -15,11 +15,13 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/energy_statistics.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -41,6 +43,9 @@ struct Mesh_result
   Corner_table chart;
   std::vector<Eigen::Vector2d> uv;
   double average_energy = 0, maximum_energy = 0;
+  std::vector<std::array<double, 2> > quantiles; // of the energies of faces
+  std::vector<Chart_energy> charts;
+  std::vector<int> chart_of_face;
   int flips = 0;
   std::optional<int> overlaps; // if the map has to be injective
   std::vector<Trade_off> trade_offs;

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_component.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Finisher.h>
+#include <CGAL/Surface_mesh_cutting/internal/run/Peak_lowering.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Race.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/early_result.h>
@@ -74,7 +75,9 @@ public:
     }
     if(m_problem.initial.is_given())
       add_given_cut(results);
-    return best_of(results);
+    Component_result best = best_of(results);
+    Peak_lowering(m_problem, m_context)(best);
+    return best;
   }
 
   // What is returned of a stopped run that found no map, or no cut if that is what is asked for.

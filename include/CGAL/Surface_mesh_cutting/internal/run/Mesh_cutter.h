@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/restrict_to_feasible_component.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/Distortion_bounds.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/Mesh_result.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/certified_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/side_by_side.h>
@@ -173,6 +174,8 @@ private:
     const double diagonal = bounding_box_diagonal(component.mesh);
     parameters.connection.minimum_length_decrease = parameters.minimum_length_decrease * diagonal;
     parameters.decrease_per_cost /= diagonal;
+    parameters.maximum_average_distortion
+      = (std::min)(parameters.maximum_average_distortion, parameters.maximum_chart_distortion);
     const bool many_handles = has_many_handles(component.topology, terminals.size(), parameters);
     if(many_handles)
       parameters.connection.maximum_number_of_terminals = Cutting_parameters::many_terminals;
@@ -187,7 +190,7 @@ private:
                     component.topology.genus() == 0 && component.topology.border_loops == 0, many_handles};
     Run_control control(m_context.control, double(mesh.number_of_faces()) / m_mesh.number_of_faces());
     Component_cutter cutter(std::move(problem), Context{parameters, control, m_context.clock, m_context.execution});
-    const bool needs_map = output == Output_kind::MAP;
+    const bool needs_map = output == Output_kind::MAP || parameters.has_local_bounds();
     part = output == Output_kind::FEATURES ? cutter.detect() : cutter.run(needs_map);
     if(output != Output_kind::FEATURES && !has_result(part, output) && makes_do(mesh, part.status))
       part = cutter.completed_early(std::move(part), needs_map);
@@ -318,6 +321,9 @@ private:
     }
     result.average_energy = energies.average;
     result.maximum_energy = energies.maximum;
+    result.quantiles = energy_quantiles(energies.faces, energies.areas);
+    result.chart_of_face = Connected_parts(result.chart.opposites()).part;
+    result.charts = chart_energies(energies.faces, energies.areas, result.chart_of_face);
     for(Trade_off& t : result.trade_offs) // the result is one of them
       if(t.cut_length == result.length && t.cut_cost == result.cost)
         t.average_distortion = result.average_energy;
@@ -330,10 +336,26 @@ private:
     const bool misses_proof = m_context.parameters.needs_optimal_tree && finding.code == Status_code::BOUND_NOT_REACHED;
     if((finding.code != Status_code::OK && finding.code != Status_code::BOUND_NOT_REACHED) || misses_proof)
       return;
-    if(keeps_bound)
-      finding = Finding(); // even if a component alone misses the bound
-    else
+    if(!keeps_bound)
       finding = bound_missed(result.average_energy, m_context.parameters.maximum_average_distortion).finding;
+    else if(m_context.parameters.has_local_bounds())
+      finding = excess(energies, result).finding;
+    else
+      finding = Finding(); // even if a component alone misses the bound
+  }
+
+  // The faces above their bound, or those of the charts above theirs.
+  Indexed_status excess(const Map_measures::Energies& energies, const Mesh_result& result) const
+  {
+    const Distortion_bounds bounds(m_context.parameters);
+    const std::vector<int> faces = bounds.faces_above(energies.faces, energies.areas);
+    if(!faces.empty())
+      return local_bound_missed("face", faces, bounds.face);
+    std::vector<int> above;
+    for(std::size_t f = 0; f < result.chart_of_face.size(); ++f)
+      if(result.charts[result.chart_of_face[f]].average > bounds.mean)
+        above.push_back(int(f));
+    return above.empty() ? Indexed_status() : local_bound_missed("chart", std::move(above), bounds.mean);
   }
 
   const Indexed_mesh& m_mesh;

@@ -60,6 +60,9 @@ Cutting_parameters read_cutting_parameters(const NamedParameters& np)
   read(get_parameter(np, internal_np::minimum_length_decrease), p.minimum_length_decrease);
   read(get_parameter(np, internal_np::minimum_area_ratio), p.minimum_area_ratio);
   read(get_parameter(np, internal_np::maximum_average_distortion), p.maximum_average_distortion);
+  read(get_parameter(np, internal_np::maximum_face_distortion), p.maximum_face_distortion);
+  read(get_parameter(np, internal_np::face_distortion_quantile), p.face_distortion_quantile);
+  read(get_parameter(np, internal_np::maximum_chart_distortion), p.maximum_chart_distortion);
   read(get_parameter(np, internal_np::influence_threshold), p.influence_threshold);
   read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
   read(get_parameter(np, internal_np::use_published_method), p.use_published_method);
@@ -95,8 +98,15 @@ inline Indexed_status check_parameters(const Cutting_parameters& p)
     return refuse("minimum_distortion_decrease", "finite and not negative");
   if(!is_non_negative(p.minimum_length_decrease))
     return refuse("minimum_length_decrease", "finite and not negative");
+  const char* const above_ideal = "greater than 4, the energy of an isometric map";
   if(!(p.maximum_average_distortion > ideal))
-    return refuse("maximum_average_distortion", "greater than 4, the energy of an isometric map");
+    return refuse("maximum_average_distortion", above_ideal);
+  if(!(p.maximum_face_distortion > ideal))
+    return refuse("maximum_face_distortion", above_ideal);
+  if(!(p.maximum_chart_distortion > ideal))
+    return refuse("maximum_chart_distortion", above_ideal);
+  if(!(p.face_distortion_quantile > 0 && p.face_distortion_quantile <= 1))
+    return refuse("face_distortion_quantile", "greater than 0 and at most 1");
   if(!is_non_negative(p.decrease_per_cost))
     return refuse("minimum_decrease_per_length", "finite and not negative");
   if(p.given_coarse_number_of_faces.value_or(0) < 0)

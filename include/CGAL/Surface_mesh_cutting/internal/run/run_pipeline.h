@@ -76,6 +76,12 @@ void translate(const Mesh_result& found, const Adapter& adapter, Unwrap_result<T
   translate(found, adapter, static_cast<Cut_result<TriangleMesh>&>(result));
   result.average_distortion = found.average_energy;
   result.largest_face_distortion = found.maximum_energy;
+  result.distortion_quantiles = found.quantiles;
+  for(const Chart_energy& chart : found.charts)
+    result.charts.push_back({chart.average, chart.maximum, 0});
+  for(std::size_t f = 0; f < found.chart_of_face.size(); ++f)
+    if(f == 0 || adapter.to_polygon(int(f)) != adapter.to_polygon(int(f) - 1)) // whose triangles follow each other
+      ++result.charts[found.chart_of_face[f]].number_of_faces;
   result.flips = found.flips;
   result.overlaps = found.overlaps;
 }

@@ -129,19 +129,23 @@ public:
   {
     double average = 0, maximum = 0; // the average is over the area
     double average_of_others = 0;    // without the thickened faces
+    std::vector<double> faces, areas; // of each; faces of no area have no weight
   };
 
   Energies energies(const std::vector<Eigen::Vector2d>& uv) const
   {
-    const std::vector<double> faces = face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart, uv, m_execution);
     Energies result;
+    result.faces = face_energies<Symmetric_Dirichlet_energy>(m_shapes, m_chart, uv, m_execution);
     Average all;
-    for(std::size_t f = 0; f < faces.size(); ++f)
+    for(std::size_t f = 0; f < m_shapes.size(); ++f)
+    {
+      result.areas.push_back(m_shapes[f].area);
       if(m_shapes[f].area > 0)
       {
-        all.add(m_shapes[f].area, faces[f]);
-        result.maximum = (std::max)(result.maximum, faces[f]);
+        all.add(m_shapes[f].area, result.faces[f]);
+        result.maximum = (std::max)(result.maximum, result.faces[f]);
       }
+    }
     Average others = all;
     for(const Thin_face& face : m_thin)
     {
@@ -150,6 +154,8 @@ public:
         continue;
       const double energy = s.squared_norm + s.squared_norm_of_inverse;
       all.add(s.area, energy);
+      result.areas[face.index] = s.area;
+      result.faces[face.index] = energy;
       if(!face.is_thickened)
         others.add(s.area, energy);
       result.maximum = (std::max)(result.maximum, energy);
