@@ -34,7 +34,7 @@ Options options_of(unsigned reading, unsigned bits)
   if((bits & 16) != 0)
     options.maximum_average_distortion = 4.05;
   if((bits & 32) != 0)
-    options.must_cut = seams_of_input;
+    options.must_cut = {seams_of_input};
   if((bits & 64) != 0)
     options.edge_weights = {*parse_weight_choice("colors")};
   return options;
