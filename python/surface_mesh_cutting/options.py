@@ -279,7 +279,7 @@ OTHER_NAMES = {
     "max_chart_distortion": "maximum_chart_distortion",
     "must_cut": "mandatory_edges", "edge_is_constrained_map": "mandatory_edges",
     "never_cut": "forbidden_edges", "edge_is_forbidden_map": "forbidden_edges",
-    "edge_weight_map": "edge_weights", "weights": "edge_weights",
+    "edge_weight_map": "edge_weights", "weights": "edge_weights", "hard_surface": "edge_weights",
     "initial_cut_map": "initial_cut", "seams": "initial_cut",
     "vertex_is_constrained_map": "terminals",
     "allow_overlap": "bijective", "do_bijective": "bijective",
