@@ -36,7 +36,7 @@ class Layout:
         points, uvs, faces = read_obj(path)
         self.faces, self.charts = [], {}
         for face, chart in zip(faces, charts_of(faces)):
-            for i in range(1, len(face) - 1): # of polygons, as fans: only of triangles exact
+            for i in range(1, len(face) - 1):  # of polygons, as fans: only of triangles exact
                 corners = face[0], face[i], face[i + 1]
                 area, energy = triangle_energy([points[v] for v, _ in corners],
                                                [[x / report["uv_scale"] for x in uvs[t]] for _, t in corners])

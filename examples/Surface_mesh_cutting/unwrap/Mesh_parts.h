@@ -20,7 +20,7 @@ struct Mesh_parts
   std::vector<int> polygon_parts; // per polygon
 };
 
-// What the statements say about polygons. Those of glTF are in the words of OBJ.
+// By the statements of OBJ; those of glTF are in its words.
 Mesh_parts find_parts(const Obj_statements& statements, int number_of_polygons);
 
 #endif // UNWRAP_MESH_PARTS_H

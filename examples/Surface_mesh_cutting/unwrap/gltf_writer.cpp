@@ -50,7 +50,8 @@ class Gltf_builder
 {
 public:
   Gltf_builder(const Layout& layout, const std::string& png, bool has_tangents)
-    : m_layout(layout), m_png(png), m_has_tangents(has_tangents), m_parts(find_parts(layout.obj_statements, int(layout.polygon_ends.size())))
+    : m_layout(layout), m_png(png), m_has_tangents(has_tangents),
+      m_parts(find_parts(layout.obj_statements, int(layout.polygon_ends.size())))
   {}
 
   gltf::Content run()

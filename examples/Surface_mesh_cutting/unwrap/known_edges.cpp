@@ -2,6 +2,7 @@
 
 #include "Mesh_parts.h"
 #include "option_values.h"
+#include "options.h"
 #include "outcome.h"
 #include "uv_seams.h"
 
@@ -43,7 +44,7 @@ void check_kind(const std::string& option, const std::string& word, const Polygo
 
 bool is_word_for_edges(const std::string& word)
 {
-  return word == "uv" || word == "materials" || word == "groups" || parse_angle(word);
+  return word == seams_of_input || word == "materials" || word == "groups" || parse_angle(word);
 }
 
 void mark_hard_edges(const Mesh& mesh, double angle, Mesh::Property_map<Edge, bool> is_marked)
@@ -59,7 +60,7 @@ void mark_known_edges(const std::string& option, const std::string& word, const 
                       Mesh::Property_map<Edge, bool> is_marked, std::vector<std::string>& warnings)
 {
   const Mesh::Property_map<Edge, bool> is_known = surface.mesh.add_property_map<Edge, bool>("", false).first;
-  if(word == "uv")
+  if(word == seams_of_input)
     for(const Edge e : uv_seams(option, soup, surface))
       is_known[e] = true;
   else if(word == "materials")
@@ -80,6 +81,6 @@ void mark_known_edges(const std::string& option, const std::string& word, const 
     if(is_known[e])
       has_edges = is_marked[e] = true;
   if(!has_edges)
-    warnings.push_back(option + ": " + (word == "uv" ? "the texture coordinates of the input have no seam"
-                                                     : "there is no edge of the kind " + word));
+    warnings.push_back(option + ": " + (word == seams_of_input ? "the texture coordinates of the input have no seam"
+                                                               : "there is no edge of the kind " + word));
 }

@@ -85,10 +85,19 @@ void add_output_options(CLI::App& app, Options& options)
                "Progress as lines \"PERCENT PHASE\" on the standard error,\nfor programs that run this one")->group(group);
 }
 
+// Makes an option take an upper bound on an energy.
+CLI::Option* add_bound(CLI::App& app, const std::string& name, std::optional<double>& bound, const std::string& help)
+{
+  constexpr double largest = 1e9, ideal = 4;
+  return app.add_option_function<std::string>(
+    name, [=, &bound](const std::string& word) { bound = parse_bound(name, word, ideal, largest); }, help)
+    ->type_name("B")->default_str("none");
+}
+
 void add_method_options(CLI::App& app, Options& options)
 {
   const std::string group = "Method";
-  constexpr double largest = 1e9, ideal = 4, least_quantile = 0.001;
+  constexpr double least_quantile = 0.001;
   add_choice(app, "--effort", options.effort,
              "How hard to look for a short cut: fast improves\none start a little, default tries a few starts,\nbest many",
              {"fast", "default", "best"})->group(group);
@@ -97,27 +106,15 @@ void add_method_options(CLI::App& app, Options& options)
     ->group(group);
   app.add_flag("--bijective", options.is_bijective, "No two parts of the layout overlap: the default, but for --faithful")
     ->excludes("--allow-overlap")->group(group);
-  app.add_option_function<std::string>(
-       "--max-distortion",
-       [&options](const std::string& word)
-       { options.maximum_average_distortion = parse_bound("--max-distortion", word, ideal, largest); },
-       "Upper bound on the mean energy: 4 is no distortion, 4.1\na stretch of 12 % on average, barely visible")
-    ->type_name("B")->default_str("none")->group(group);
-  app.add_option_function<std::string>(
-       "--max-face-distortion",
-       [&options](const std::string& word)
-       { options.maximum_face_distortion = parse_bound("--max-face-distortion", word, ideal, largest); },
-       "Upper bound on the energy of each triangle")
-    ->type_name("B")->default_str("none")->group(group);
+  add_bound(app, "--max-distortion", options.maximum_average_distortion,
+            "Upper bound on the mean energy: 4 is no distortion, 4.1\na stretch of 12 % on average, barely visible")->group(group);
+  add_bound(app, "--max-face-distortion", options.maximum_face_distortion,
+            "Upper bound on the energy of each triangle")->group(group);
   add_number<double>(app, "--face-quantile", options.face_quantile,
                      "Share of the area whose triangles keep that bound", least_quantile, 1)
     ->type_name("Q")->default_str("1")->group(group);
-  app.add_option_function<std::string>(
-       "--max-chart-distortion",
-       [&options](const std::string& word)
-       { options.maximum_chart_distortion = parse_bound("--max-chart-distortion", word, ideal, largest); },
-       "Upper bound on the mean energy of each chart")
-    ->type_name("B")->default_str("none")->group(group);
+  add_bound(app, "--max-chart-distortion", options.maximum_chart_distortion,
+            "Upper bound on the mean energy of each chart")->group(group);
 }
 
 Weight_choice parse_weights(const std::string& word)

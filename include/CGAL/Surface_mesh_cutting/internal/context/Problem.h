@@ -41,6 +41,15 @@ struct Problem
   bool has_many_handles = false; // more than a tree that is proven shortest could connect the loops of
   bool is_opened = false;        // to a disk, by what is mandatory
 
+  std::vector<Rest_shape> shapes_of(const std::vector<int>& faces) const
+  {
+    std::vector<Rest_shape> result;
+    result.reserve(faces.size());
+    for(int f : faces)
+      result.push_back(shapes[f]);
+    return result;
+  }
+
   // Per vertex, whether it is a terminal: branches that end there stay.
   std::vector<char> terminal_marks() const
   {

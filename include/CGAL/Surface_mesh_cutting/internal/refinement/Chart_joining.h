@@ -225,13 +225,12 @@ private:
 
   void map(const Corner_table& chart, Joint& joint) const
   {
-    std::vector<Rest_shape> shapes;
+    const std::vector<Rest_shape> shapes = m_problem.shapes_of(joint.faces);
     std::vector<Eigen::Vector2d> uv(chart.number_of_vertices());
     double former_energy = 0;
     for(std::size_t i = 0; i < joint.faces.size(); ++i)
     {
       const int f = joint.faces[i];
-      shapes.push_back(m_problem.shapes[f]);
       former_energy += m_energies[f];
       for(int k = 0; k < 3; ++k)
         uv[chart.source(3 * int(i) + k)] = m_overlapping.uv[m_overlapping.chart.source(3 * f + k)];

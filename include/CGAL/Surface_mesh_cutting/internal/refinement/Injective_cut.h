@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/mapping/Open_chart.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/bijective/bijective_map.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -38,6 +40,18 @@ struct Injective_cut
   Corner_table chart;
   Injective_map map;
   std::vector<int> ends; // of the paths of the cut
+
+  // Cuts paths, whose ends the caller adds; the map stays without overlaps.
+  void open(const Indexed_mesh& mesh, const std::vector<int>& edges)
+  {
+    std::vector<int> halfedges;
+    for(int e : edges)
+    {
+      cut[e] = 1;
+      halfedges.push_back(mesh.halfedge(e));
+    }
+    Surface_mesh_parameterization::internal::open_injectively(halfedges, chart, map.uv);
+  }
 };
 
 } // namespace internal

@@ -252,13 +252,7 @@ private:
     using namespace Surface_mesh_parameterization::internal;
     Injective_cut result = cut;
     result.ends = std::move(ends);
-    std::vector<int> halfedges;
-    for(int e : edges)
-    {
-      result.cut[e] = 1;
-      halfedges.push_back(m_problem.mesh.halfedge(e));
-    }
-    open_injectively(halfedges, result.chart, result.map.uv);
+    result.open(m_problem.mesh, edges);
     Scaffold_options options;
     options.decrease = 4e-4; // the slit is narrow at first, and what it gains comes late
     options.maximum_rounds = 6;

@@ -50,8 +50,8 @@ public:
   // `mesh` is a disk. The references are kept.
   Peak_search(const Indexed_mesh& mesh, const std::vector<Rest_shape>& shapes, const Edge_constraints& constraints,
               const Distortion_bounds& bounds, const Context& context)
-    : m_mesh(mesh), m_shapes(shapes), m_areas(Surface_mesh_parameterization::internal::area_weights(shapes)), m_constraints(constraints), m_bounds(bounds), m_context(context),
-      m_slits(mesh, constraints)
+    : m_mesh(mesh), m_shapes(shapes), m_areas(Surface_mesh_parameterization::internal::area_weights(shapes)),
+      m_constraints(constraints), m_bounds(bounds), m_context(context), m_slits(mesh, constraints)
   {}
 
   // The map is without overlaps before and afterwards if the parameters ask for that. The cut only grows.
@@ -61,8 +61,7 @@ public:
     Peaks peaks = this->peaks(cut.chart, cut.map.uv);
     for(bool is_open = !peaks.are_none(); is_open; is_open = !peaks.are_none() && has_time() && open_slits(peaks, cut))
     {
-      m_weights.assign(m_areas.size(), 1);
-      solve(cut.chart, cut.map.uv);
+      solve(cut.chart, m_shapes, cut.map.uv);
       peaks = flattened(cut, slow);
     }
     if(!peaks.are_none())
@@ -70,9 +69,8 @@ public:
     cut.map.energy = Surface_mesh_parameterization::internal::area_average(m_shapes, peaks.energies);
     if(peaks.are_none())
       return;
-    m_are_single_faces_left = !peaks.faces.empty();
     m_faces_left = std::move(peaks.faces);
-    if(!m_are_single_faces_left)
+    if(m_faces_left.empty()) // the mean is above its bound
     {
       m_faces_left.resize(peaks.energies.size());
       std::iota(m_faces_left.begin(), m_faces_left.end(), 0);
@@ -80,12 +78,8 @@ public:
     CGAL::internal::Graph_kernel::sort_by_key(m_faces_left, [&](int f) { return -peaks.energies[f]; });
   }
 
-  // After lower(): the faces above the bound, or all if the mean is; those first that are most distorted.
-  const std::vector<int>& faces_left() const { return m_faces_left; }
-  bool are_single_faces_left() const { return m_are_single_faces_left; }
-
-  // After lower(): an edge between two points of the border, which divides the chart in two: the cheapest one of the first
-  // of faces_left() that has such edges. -1 if there is none.
+  // After lower(): an edge between two points of the border, which divides the chart in two: the cheapest one of the most
+  // distorted face above the bound, or of all if the mean is above, that has such edges. -1 if nothing is above or there is none.
   int dividing_edge(const Cut& cut) const
   {
     const std::vector<char> is_open = open_vertices(m_mesh, cut);
@@ -106,7 +100,7 @@ public:
   }
 
 private:
-  // What exceeds the bounds.
+  // Energies, and by how much they exceed the bounds.
   struct Peaks
   {
     std::vector<double> energies; // of all faces
@@ -121,11 +115,13 @@ private:
   Peaks peaks(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv) const
   {
     Peaks peaks;
-    peaks.energies = Surface_mesh_parameterization::internal::face_energies<Symmetric_Dirichlet_energy>(m_shapes, chart.triangles(), uv);
+    peaks.energies
+      = Surface_mesh_parameterization::internal::face_energies<Symmetric_Dirichlet_energy>(m_shapes, chart.triangles(), uv);
     peaks.faces = m_bounds.faces_above(peaks.energies, m_areas);
     for(int f : peaks.faces)
       peaks.excess += m_areas[f] * (peaks.energies[f] - m_bounds.face);
-    peaks.excess += (std::max)(0., Surface_mesh_parameterization::internal::area_average(m_shapes, peaks.energies) - m_bounds.mean);
+    const double mean = Surface_mesh_parameterization::internal::area_average(m_shapes, peaks.energies);
+    peaks.excess += (std::max)(0., mean - m_bounds.mean);
     return peaks;
   }
 
@@ -136,11 +132,11 @@ private:
     Peaks best = peaks(cut.chart, cut.map.uv), last = best;
     double former = best.excess;
     std::vector<Eigen::Vector2d> uv = cut.map.uv;
-    m_weights.assign(m_areas.size(), 1);
+    std::vector<double> weights(m_areas.size(), 1);
     for(int round = 0; round < maximum_rounds && !best.are_none() && has_time(); ++round)
     {
-      weigh(last.energies);
-      if(!solve(cut.chart, uv))
+      weigh(last.energies, weights);
+      if(!solve(cut.chart, weighed_shapes(weights), uv))
         break;
       last = peaks(cut.chart, uv);
       if(last.excess < best.excess)
@@ -156,7 +152,7 @@ private:
   }
 
   // A face weighs the more the longer it stays above the bound, and less again below, so slowly that it stays there.
-  void weigh(const std::vector<double>& energies)
+  void weigh(const std::vector<double>& energies, std::vector<double>& weights) const
   {
     constexpr double slowest = 0.9, fastest = 4; // in one solve
     constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
@@ -164,21 +160,27 @@ private:
     for(std::size_t f = 0; f < energies.size(); ++f)
     {
       const double excess = (energies[f] - ideal) / allowed;
-      m_weights[f] = (std::max)(1., m_weights[f] * std::clamp(excess * excess, slowest, fastest));
+      weights[f] = (std::max)(1., weights[f] * std::clamp(excess * excess, slowest, fastest));
     }
   }
 
-  // From `uv`, with the present weights; false if there is no better map.
-  bool solve(const Corner_table& chart, std::vector<Eigen::Vector2d>& uv)
+  std::vector<Rest_shape> weighed_shapes(const std::vector<double>& weights) const
   {
     std::vector<Rest_shape> shapes = m_shapes;
     for(std::size_t f = 0; f < shapes.size(); ++f)
-      shapes[f].area *= m_weights[f];
+      shapes[f].area *= weights[f];
+    return shapes;
+  }
+
+  // From `uv`, with the areas of `shapes`; false if there is no better map.
+  bool solve(const Corner_table& chart, const std::vector<Rest_shape>& shapes, std::vector<Eigen::Vector2d>& uv)
+  {
+    const bool is_injective = m_context.parameters.do_bijective;
     std::vector<Eigen::Vector2d> next = uv;
-    const Newton_result newton = m_context.parameters.do_bijective ? solve_injectively(chart, shapes, next)
-                                                                   : solve_freely(chart, shapes, next);
+    const Newton_result newton = is_injective ? solve_injectively(chart, shapes, next) : solve_freely(chart, shapes, next);
     m_number_of_solved_faces += double(newton.iterations) * double(shapes.size());
-    if(newton.outcome == Newton_outcome::FAILED || (m_context.parameters.do_bijective && !Surface_mesh_parameterization::internal::is_bijective(chart, next)))
+    if(newton.outcome == Newton_outcome::FAILED ||
+       (is_injective && !Surface_mesh_parameterization::internal::is_bijective(chart, next)))
       return false;
     const double scale = Surface_mesh_parameterization::internal::best_scale(m_shapes, chart.triangles(), next);
     for(Eigen::Vector2d& u : next)
@@ -209,14 +211,7 @@ private:
   {
     constexpr std::size_t maximum_number = 4; // at once
     constexpr int farthest = 3;               // edges from the excess
-    std::vector<double> excess(m_areas.size(), 0);
-    for(int f : peaks.faces)
-      excess[f] = peaks.energies[f] - m_bounds.face;
-    std::vector<double> distortion = peaks.faces.empty() ? peaks.energies : excess;
-    distortion = Surface_mesh_parameterization::internal::vertex_averages(m_shapes, m_mesh.triangles(), distortion, m_mesh.number_of_vertices());
-    if(!peaks.faces.empty())
-      for(double& d : distortion)
-        d += Symmetric_Dirichlet_energy::ideal;
+    std::vector<double> distortion = slit_goals(peaks);
     const std::vector<char> is_excluded(m_mesh.number_of_vertices(), 0);
     std::vector<Slit> slits = m_slits.proposals(cut.cut, distortion, is_excluded, maximum_number);
     for(int i = 0; i < farthest && slits.empty(); ++i) // around faces that are on the border with all their corners
@@ -231,14 +226,22 @@ private:
       cut.ends.push_back(slit.tip);
     }
     CGAL::internal::Graph_kernel::sort_unique(edges); // paths of one forest, so that they leave a disk together
-    std::vector<int> halfedges;
-    for(int e : edges)
-    {
-      cut.cut[e] = 1;
-      halfedges.push_back(m_mesh.halfedge(e));
-    }
-    Surface_mesh_parameterization::internal::open_injectively(halfedges, cut.chart, cut.map.uv);
+    cut.open(m_mesh, edges);
     return !edges.empty();
+  }
+
+  // Per vertex: how far its faces are above their bound, counted from the ideal; their energy if only the mean is above.
+  std::vector<double> slit_goals(const Peaks& peaks) const
+  {
+    std::vector<double> energies = peaks.energies;
+    if(!peaks.faces.empty())
+    {
+      energies.assign(m_areas.size(), Symmetric_Dirichlet_energy::ideal);
+      for(int f : peaks.faces)
+        energies[f] += peaks.energies[f] - m_bounds.face;
+    }
+    return Surface_mesh_parameterization::internal::vertex_averages(m_shapes, m_mesh.triangles(), energies,
+                                                                    m_mesh.number_of_vertices());
   }
 
   // The mean of each vertex and its most distorted neighbor.
@@ -263,10 +266,8 @@ private:
   const Distortion_bounds m_bounds;
   const Context m_context;
   Slit_search m_slits;
-  std::vector<double> m_weights; // of the faces, besides their areas
   double m_number_of_solved_faces = 0;
-  std::vector<int> m_faces_left;
-  bool m_are_single_faces_left = false;
+  std::vector<int> m_faces_left; // after lower(): the most distorted ones first
 };
 
 } // namespace internal

@@ -15,12 +15,15 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/context/Cutting_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/energy_statistics.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/energy/triangle_energy.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,6 +60,19 @@ struct Distortion_bounds
     faces.erase(faces.begin(), faces.begin() + number);
     std::sort(faces.begin(), faces.end());
     return faces;
+  }
+
+  // Names the faces above their bound, or else those of the charts above theirs. `charts`: those of `chart_of_face`.
+  Indexed_status status(const std::vector<double>& energies, const std::vector<double>& areas,
+                        const std::vector<Chart_energy>& charts, const std::vector<int>& chart_of_face) const
+  {
+    std::vector<int> above = faces_above(energies, areas);
+    if(!above.empty())
+      return local_bound_missed("each face", "these faces", std::move(above), face);
+    for(std::size_t f = 0; f < chart_of_face.size(); ++f)
+      if(charts[chart_of_face[f]].average > mean)
+        above.push_back(int(f));
+    return above.empty() ? Indexed_status() : local_bound_missed("each chart", "the charts of these faces", std::move(above), mean);
   }
 };
 

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Of the faces of a chart; the average is over the area.
+// Energies of the faces of a chart; the average is over the area.
 struct Chart_energy
 {
   double average = 0, maximum = 0;

@@ -263,9 +263,7 @@ private:
         halfedges.push_back(m_mesh.halfedge(component.edges[e]));
     result.chart.open(halfedges);
     result.uv.resize(result.chart.number_of_vertices(), Eigen::Vector2d::Zero());
-    for(std::size_t f = 0; f < component.faces.size(); ++f)
-      for(int k = 0; k < 3; ++k)
-        result.uv[result.chart.triangles()[component.faces[f]][k]] = part.uv[part.chart.triangles()[f][k]];
+    component.add_map(part.chart, part.uv, result.chart, result.uv);
   }
 
   // The charts lie along the axes, unless the map does not stand being turned: triangles may be thinner than that rounds.
@@ -339,23 +337,10 @@ private:
     if(!keeps_bound)
       finding = bound_missed(result.average_energy, m_context.parameters.maximum_average_distortion).finding;
     else if(m_context.parameters.has_local_bounds())
-      finding = excess(energies, result).finding;
+      finding = Distortion_bounds(m_context.parameters)
+                  .status(energies.faces, energies.areas, result.charts, result.chart_of_face).finding;
     else
       finding = Finding(); // even if a component alone misses the bound
-  }
-
-  // The faces above their bound, or those of the charts above theirs.
-  Indexed_status excess(const Map_measures::Energies& energies, const Mesh_result& result) const
-  {
-    const Distortion_bounds bounds(m_context.parameters);
-    const std::vector<int> faces = bounds.faces_above(energies.faces, energies.areas);
-    if(!faces.empty())
-      return local_bound_missed("face", faces, bounds.face);
-    std::vector<int> above;
-    for(std::size_t f = 0; f < result.chart_of_face.size(); ++f)
-      if(result.charts[result.chart_of_face[f]].average > bounds.mean)
-        above.push_back(int(f));
-    return above.empty() ? Indexed_status() : local_bound_missed("chart", std::move(above), bounds.mean);
   }
 
   const Indexed_mesh& m_mesh;

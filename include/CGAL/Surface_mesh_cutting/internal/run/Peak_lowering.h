@@ -52,16 +52,26 @@ public:
     for(int i = 0; i < maximum_rounds && lower(result) && m_context.control.go_further(); ++i)
       continue;
     result.keep_undominated_trade_offs();
+    result.status.finding = finding(result);
   }
 
 private:
   struct Lowered_chart
   {
     Injective_cut cut;
-    std::vector<int> faces_left;
-    bool are_single_faces_left = false;
     int dividing_edge = -1;
   };
+
+  Finding finding(const Component_result& result) const
+  {
+    const double bound = m_context.parameters.maximum_average_distortion;
+    if(result.energy > bound)
+      return bound_missed(result.energy, bound).finding;
+    const std::vector<double> faces = energies(m_problem.shapes, result.chart, result.uv),
+                              areas = Surface_mesh_parameterization::internal::area_weights(m_problem.shapes);
+    const std::vector<int> charts = Connected_parts(result.chart.opposites()).part;
+    return Distortion_bounds(m_context.parameters).status(faces, areas, chart_energies(faces, areas, charts), charts).finding;
+  }
 
   // True if a chart was divided.
   bool lower(Component_result& result) const
@@ -86,31 +96,12 @@ private:
     CGAL::internal::Graph_kernel::sort_unique(result.features);
     result.is_optimal = result.is_optimal && result.cut == former;
     take_maps(charts, lowered, result);
-    say_if_missed(charts, lowered, result);
     return is_divided;
-  }
-
-  void say_if_missed(const std::vector<Indexed_component>& charts, const std::vector<Lowered_chart>& lowered,
-                     Component_result& result) const
-  {
-    const Cutting_parameters& parameters = m_context.parameters;
-    std::vector<int> single_faces, all_faces;
-    for(std::size_t i = 0; i < charts.size(); ++i)
-      for(int f : lowered[i].faces_left)
-        (lowered[i].are_single_faces_left ? single_faces : all_faces).push_back(charts[i].faces[f]);
-    if(result.energy > parameters.maximum_average_distortion)
-      result.status.finding = bound_missed(result.energy, parameters.maximum_average_distortion).finding;
-    else if(!single_faces.empty())
-      result.status.finding = local_bound_missed("face", std::move(single_faces), parameters.maximum_face_distortion).finding;
-    else if(!all_faces.empty())
-      result.status.finding = local_bound_missed("chart", std::move(all_faces), parameters.maximum_chart_distortion).finding;
-    else
-      result.status.finding = Finding();
   }
 
   Lowered_chart lowered_chart(const Indexed_component& chart, double slack, const Component_result& result) const
   {
-    const std::vector<Rest_shape> shapes = shapes_of(chart.faces);
+    const std::vector<Rest_shape> shapes = m_problem.shapes_of(chart.faces);
     Lowered_chart lowered;
     Injective_cut& cut = lowered.cut;
     cut.cut.assign(chart.edges.size(), 0);
@@ -119,33 +110,28 @@ private:
     for(std::size_t f = 0; f < chart.faces.size(); ++f)
       for(int k = 0; k < 3; ++k)
         cut.map.uv[cut.chart.triangles()[f][k]] = result.uv[result.chart.triangles()[chart.faces[f]][k]];
-    const double mean = mean_energy(shapes, cut);
+    const double mean = mean_energy(shapes, cut.chart, cut.map.uv);
     Distortion_bounds bounds(m_context.parameters);
     bounds.face = with_reserve(bounds.face);
     bounds.mean = (std::min)(with_reserve(bounds.mean), mean + slack);
     const Edge_constraints constraints = internal::restriction(m_problem.constraints, chart);
     Peak_search search(chart.mesh, shapes, constraints, bounds, m_context);
     search.lower(cut);
-    lowered.faces_left = search.faces_left();
-    lowered.are_single_faces_left = search.are_single_faces_left();
     if(m_context.parameters.do_bijective)
       lowered.dividing_edge = search.dividing_edge(cut.cut);
     return lowered;
   }
 
-  static double mean_energy(const std::vector<Rest_shape>& shapes, const Injective_cut& cut)
+  static std::vector<double> energies(const std::vector<Rest_shape>& shapes, const Corner_table& chart,
+                                      const std::vector<Eigen::Vector2d>& uv)
   {
-    using namespace Surface_mesh_parameterization::internal;
-    return area_average(shapes, face_energies<Symmetric_Dirichlet_energy>(shapes, cut.chart.triangles(), cut.map.uv));
+    return Surface_mesh_parameterization::internal::face_energies<Symmetric_Dirichlet_energy>(shapes, chart.triangles(), uv);
   }
 
-  std::vector<Rest_shape> shapes_of(const std::vector<int>& faces) const
+  static double mean_energy(const std::vector<Rest_shape>& shapes, const Corner_table& chart,
+                            const std::vector<Eigen::Vector2d>& uv)
   {
-    std::vector<Rest_shape> shapes;
-    shapes.reserve(faces.size());
-    for(int f : faces)
-      shapes.push_back(m_problem.shapes[f]);
-    return shapes;
+    return Surface_mesh_parameterization::internal::area_average(shapes, energies(shapes, chart, uv));
   }
 
   void take_maps(const std::vector<Indexed_component>& charts, const std::vector<Lowered_chart>& lowered,
@@ -154,15 +140,10 @@ private:
     result.chart = make_chart(m_problem.mesh, result.cut);
     result.uv.resize(result.chart.number_of_vertices());
     for(std::size_t i = 0; i < charts.size(); ++i)
-    {
-      const Injective_cut& cut = lowered[i].cut;
-      for(std::size_t f = 0; f < charts[i].faces.size(); ++f)
-        for(int k = 0; k < 3; ++k)
-          result.uv[result.chart.triangles()[charts[i].faces[f]][k]] = cut.map.uv[cut.chart.triangles()[f][k]];
-    }
+      charts[i].add_map(lowered[i].cut.chart, lowered[i].cut.map.uv, result.chart, result.uv);
     result.length = cut_length(m_problem.mesh, result.cut);
     result.cost = cut_cost(m_problem.constraints, result.cut);
-    result.energy = mean_energy(m_problem.shapes, {result.cut, result.chart, {result.uv, 0}, {}});
+    result.energy = mean_energy(m_problem.shapes, result.chart, result.uv);
   }
 
   const Problem& m_problem;

@@ -52,6 +52,15 @@ struct Indexed_component
     return cut;
   }
 
+  // Hands UVs over, from a chart of the component to one of the whole.
+  void add_map(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv, const Corner_table& whole,
+               std::vector<Eigen::Vector2d>& whole_uv) const
+  {
+    for(std::size_t f = 0; f < faces.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        whole_uv[whole.triangles()[faces[f]][k]] = uv[chart.triangles()[f][k]];
+  }
+
   // Turns indices of the component into indices of the whole.
   Indexed_status in_whole(Indexed_status status) const
   {

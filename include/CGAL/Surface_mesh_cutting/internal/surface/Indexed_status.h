@@ -16,7 +16,6 @@
 
 #include <CGAL/Surface_mesh_cutting/Status_code.h>
 
-#include <algorithm>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -72,14 +71,13 @@ inline Indexed_status bound_missed(double reached, double bound)
   return Indexed_status(Status_code::BOUND_NOT_REACHED, message.str());
 }
 
-// `faces`: those above the bound, or of charts above it.
-inline Indexed_status local_bound_missed(const std::string& kind, std::vector<int> faces, double bound)
+// `of`: what the bound holds for; `missed_by`: what `faces` stand for.
+inline Indexed_status local_bound_missed(const std::string& of, const std::string& missed_by, std::vector<int> faces, double bound)
 {
-  std::sort(faces.begin(), faces.end());
   std::ostringstream message;
   message.precision(6);
-  message << "no cut was found whose map keeps the bound of " << bound << " on the energy of each " << kind << ": missed by "
-          << (kind == "face" ? "these faces" : "the charts of these faces");
+  message << "no cut was found whose map keeps the bound of " << bound << " on the energy of " << of << ": missed by "
+          << missed_by;
   return Indexed_status(Status_code::BOUND_NOT_REACHED, message.str(), Element_kind::FACE, std::move(faces));
 }
 
