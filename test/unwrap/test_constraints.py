@@ -1,11 +1,37 @@
 """Constraints from files: they are satisfied, and what is wrong with them is said."""
 
-from support import Case, cut_edges, main, selection, sphere, to_off, torus
+from support import Case, cut_edges, main, selection, sphere, to_obj, to_off, torus
 
 SPHERE = sphere(3)
 # Some edges around a vertex, and the loop around it.
 CENTER = 70
 STAR = [tuple(v for v in face if v != CENTER) for face in SPHERE[1] if CENTER in face]
+
+
+def divided_box(n):
+    """A cube, each side of which is n by n quads, side by side in the order of faces, and its edges as pairs of points."""
+    index, faces, hard = {}, [], set()
+
+    def point(p):
+        return index.setdefault(p, len(index))
+    for axis in range(3):
+        for side in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    square = []
+                    for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                        p = [0, 0, 0]
+                        p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3] = side, i + a, j + b
+                        square.append(point(tuple(p)))
+                    faces.append(square if side else square[::-1])
+    for p in index:
+        for axis in range(3):
+            q = tuple(x + (k == axis) for k, x in enumerate(p))
+            if q in index and all(p[k] in (0, n) for k in range(3) if k != axis):
+                hard.add(frozenset((index[p], index[q])))
+    return (list(index), faces), hard
+
+
 SELECTIONS = ("--must-cut", "--never-cut", "--initial-cut", "--terminals")
 FILES = (*SELECTIONS, "--edge-weights")
 
@@ -36,6 +62,52 @@ class Constraints(Case):
         report, cut = self.cut("--terminals", terminals)
         self.assertLessEqual({CENTER, 100, 200}, set().union(*cut))
         self.assertGreaterEqual(report["features"], 3)
+
+    # Edges that the input tells: the hard ones of a box, whose sides are divided, and the borders of materials and groups.
+    def test_known_edges(self):
+        n = 4
+        box, hard = divided_box(n)
+        self.write("box.off", to_off(box))
+        exit_code, report = self.report("box.off", "-o", "out.obj", "--must-cut", "angle:90")
+        self.assertEqual((exit_code, report["charts"]), (0, 6), report["message"])
+        self.assertEqual(cut_edges(self.folder / "out.obj"), hard)
+        for angle, charts in (("90.1", 1), ("1", 6)):
+            _, report = self.report("box.off", "-o", "out.obj", "--must-cut", f"angle:{angle}", "--max-distortion", 4.5)
+            self.assertEqual((report["charts"], bool(report["warnings"])), (charts, charts == 1))
+
+        sides = len(box[1]) // 6
+        lines = to_obj(box).splitlines()
+        first = next(i for i, line in enumerate(lines) if line.startswith("f "))
+        words = {"materials": "usemtl", "groups": "g"}
+        for word, statement in words.items():
+            named = [*lines[:first], f"{statement} one", *lines[first:first + sides], f"{statement} two", *lines[first + sides:]]
+            self.write("box.obj", "\n".join(named) + "\n")
+            exit_code, report = self.report("box.obj", "-o", "out.obj", "--must-cut", word)
+            self.assertEqual(exit_code, 0, report["message"])
+            one, two = ({frozenset((f[i], f[i - 1])) for f in part for i in range(len(f))}
+                        for part in (box[1][:sides], box[1][sides:]))
+            self.assertLessEqual(one & two, cut_edges(self.folder / "out.obj"))
+            other, = words.keys() - {word}
+            self.assert_refused(4, "box.obj", "-o", "no.obj", "--must-cut", other)
+        for word in ("angle:", "angle:181", "angle:x"):
+            self.assert_refused(2, "box.off", "-o", "no.obj", "--must-cut", word)
+
+    # Several words and files together.
+    def test_must_cut_several(self):
+        box, hard = divided_box(3)
+        self.write("box.off", to_off(box))
+        inner = next((a, b) for face in box[1] for a, b in zip(face, face[1:]) if frozenset((a, b)) not in hard)
+        file = self.write("inner.txt", selection(edges=[inner]))
+        _, report = self.report("box.off", "-o", "out.obj", "--must-cut", "angle:60", "--must-cut", file)
+        self.assertLessEqual(hard | {frozenset(inner)}, cut_edges(self.folder / "out.obj"), report["message"])
+
+    def test_hard_surface(self):
+        box, hard = divided_box(4)
+        self.write("box.off", to_off(box))
+        preset, words = (self.report("box.off", "-o", "out.obj", *options)[1]
+                         for options in (["--hard-surface"], ["--edge-weights", "hard", "--edge-weights", "straight"]))
+        self.assertEqual((preset["cut_cost"], preset["cut_length"]), (words["cut_cost"], words["cut_length"]))
+        self.assertLessEqual(cut_edges(self.folder / "out.obj"), hard)
 
     def test_initial_cut(self):
         # The result of a hasty run as the start of the next one: a tighter bound extends it, the same one and a looser one
