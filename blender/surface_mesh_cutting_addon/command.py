@@ -87,6 +87,12 @@ def prepare(surface, settings, threads, folder):
         arguments += ["--margin", _number(settings.margin), "--texture-size", str(settings.texture_size)]
         if settings.turn != 'automatic':
             arguments += ["--rotate", settings.turn]
+        if settings.limits_density:
+            arguments += ["--texels-per-unit", _number(settings.density), "--udim"]
+        elif settings.limits_fill:
+            arguments += ["--min-fill", _number(settings.fill / 100)]
+    if settings.stacks:
+        arguments.append("--stack")
     if settings.limits_stretch:
         arguments += ["--max-distortion", _number(energy_of(settings.stretch))]
     if settings.may_overlap:

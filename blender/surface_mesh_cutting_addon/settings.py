@@ -88,6 +88,19 @@ class UnwrapSettings:
     margin: FloatProperty(name="Margin", default=4, min=0, soft_max=64, max=16384, precision=1,
                           description="Pixels between islands, and to the border of the square")
 
+    limits_density: BoolProperty(
+        name="Set Texel Density", default=False,
+        description="Scale islands to a number of pixels per unit, on as many UDIM tiles as that takes, in place of filling one square")
+    density: FloatProperty(name="Pixels per Unit", default=256, min=1e-3, soft_max=4096, max=1e9, precision=1,
+                           description="Pixels of the texture for a unit of the world")
+    stacks: BoolProperty(
+        name="Stack Equal Parts", default=False,
+        description="Parts that have the same shape, or are mirror images, share one place in the layout")
+    limits_fill: BoolProperty(name="Divide Long Islands", default=False,
+                              description="Cut islands that are so long that most of the square stays empty")
+    fill: FloatProperty(name="Filled Share", default=50, min=0, max=100, precision=0, subtype='PERCENTAGE',
+                        description="How much of the square is to be filled, if that is worth the seams")
+
     turn: EnumProperty(
         name="Turn Islands", default='automatic', description="How islands may be turned to fit into the square",
         items=[('automatic', "Aligned", "Straight with the texture, unless that costs much room"),
@@ -144,8 +157,15 @@ class UnwrapSettings:
     def _draw_layout(self, column, context):
         if context.mode == 'EDIT_MESH':
             column.prop(self, "only_selected")
-        for name in ("is_shared", "scale", "texture_size", "margin", "turn", "may_overlap"):
+        for name in ("is_shared", "scale", "texture_size", "margin", "turn", "may_overlap", "stacks"):
             column.prop(self, name)
+        for switch, value in (("limits_density", "density"), ("limits_fill", "fill")):
+            row = column.row(heading=self.bl_rna.properties[switch].name)
+            row.active = self.scale == 'unit' and not (switch == "limits_fill" and self.limits_density)
+            row.prop(self, switch, text="")
+            sub = row.row()
+            sub.active = getattr(self, switch)
+            sub.prop(self, value, text="")
 
     def _draw_result(self, column):
         column.prop(self, "target")

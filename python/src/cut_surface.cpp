@@ -76,6 +76,7 @@ void write_map(const Soup_adapter& adapter, const Mesh_result& found, bool do_bi
   result.number_of_charts = packing.number_of_charts;
   result.uv_scale = packing.scale;
   result.fill = packing.fill;
+  result.page_fills = packing.page_fills;
   result.map = corner_map(adapter, found.chart, packing.uv);
 }
 

@@ -55,6 +55,8 @@ struct Packing_options
   int texture_size = 1024;
   SMC::Effort effort = SMC::Effort::DEFAULT;
   SMC::Chart_rotation rotation = SMC::Chart_rotation::AUTOMATIC;
+  double texels_per_unit = 0; // 0 for as many as fit
+  int pages = 0;              // 0 for one, or as many as that number of texels needs
 };
 
 // A map: its points, and which of them each corner of the soup has.
@@ -73,6 +75,7 @@ struct Cut_surface
   int number_of_charts = 0;
   double uv_scale = 1;         // length of an edge in the map over that on the surface
   std::optional<double> fill;  // area of the charts in the unit square, if they are packed there
+  std::vector<double> page_fills;
   double packing_seconds = 0, packing_cpu_seconds = 0;
 };
 

@@ -70,6 +70,8 @@ Packing_options read_packing_options(const Call& call)
   read(call, "texture_size", options.texture_size);
   options.effort = SMC::internal::effort_of(read_name(call, "effort"));
   options.rotation = SMC::internal::rotation_of(read_name(call, "rotate"));
+  read(call, "texels_per_unit", options.texels_per_unit);
+  read(call, "pages", options.pages);
   return options;
 }
 
@@ -78,6 +80,14 @@ bool is_bijective(const Call& call)
   bool result = true;
   read(call, "bijective", result);
   return result;
+}
+
+py::tuple to_tuple(const std::vector<double>& numbers)
+{
+  py::list result;
+  for(const double number : numbers)
+    result.append(number);
+  return py::tuple(result);
 }
 
 py::dict describe(Cut_surface surface)
@@ -116,6 +126,7 @@ py::dict describe(Cut_surface surface)
   result["number_of_charts"] = surface.number_of_charts;
   result["uv_scale"] = surface.uv_scale;
   result["fill"] = surface.fill ? py::object(py::float_(*surface.fill)) : py::none();
+  result["page_fills"] = to_tuple(surface.page_fills);
   result["uv"] = to_array(std::move(surface.map.uv), 2);
   result["uv_corners"] = to_array(std::move(surface.map.corners));
   result["uv_points"] = to_array(std::move(surface.map.points));
@@ -195,6 +206,7 @@ py::dict pack_charts(const Call& call)
   result["corner_uv"] = to_array(std::move(packed.corner_uv), 2);
   result["scale"] = packed.scale;
   result["fill"] = packed.fill;
+  result["page_fills"] = to_tuple(packed.page_fills);
   result["number_of_charts"] = packed.number_of_charts;
   return result;
 }

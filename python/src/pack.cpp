@@ -65,7 +65,9 @@ SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, co
                                     const Packing_options& options, bool do_bijective, Run_monitor& monitor)
 {
   const SMC::internal::Packing_parameters parameters{{options.margin, options.texture_size}, do_bijective, options.effort,
-                                                   options.rotation};
+                                                   options.rotation,
+                                                   options.pages > 0 || options.texels_per_unit > 0 ? options.pages : 1,
+                                                   options.texels_per_unit, false};
   SMC::internal::Indexed_packing result;
   result.status = check_parameters(parameters);
   if(result.status)
@@ -95,6 +97,7 @@ Packed_surface pack_surface(const Surface_arguments& arguments, const Numbers& c
       result.has_result = packing.has_result;
       result.scale = packing.scale;
       result.fill = packing.fill;
+      result.page_fills = packing.page_fills;
       result.number_of_charts = packing.number_of_charts;
       if(packing.has_result)
         result.corner_uv = uvs_of_corners(mapped.adapter, chart, packing.uv);

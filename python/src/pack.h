@@ -33,6 +33,7 @@ struct Packed_surface
   bool has_result = false;
   std::vector<double> corner_uv; // two per corner of the soup
   double scale = 0, fill = 0;
+  std::vector<double> page_fills;
   int number_of_charts = 0;
 };
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, Optional, cast
 
 from . import _arrays, _extension
 from .errors import error_of, to_finding
-from .options import EFFORTS, INT_MAX, SurfaceOptions, choice, flag, integer, read, real, rotation, takes
+from .options import EFFORTS, INT_MAX, SurfaceOptions, atlas, choice, flag, integer, read, real, rotation, takes
 from .results import Certificate, PackingResult, make
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
                 margin: float = 2, texture_size: int = 1024, bijective: bool = True,
                 effort: Literal["fast", "default", "best"] = "default",
                 rotate: Optional[Literal["any", "quarter", "none"]] = None,
+                texels_per_unit: Optional[float] = None, pages: Optional[int] = None,
                 **options: Unpack[SurfaceOptions]) -> PackingResult:
     """Move charts into the unit square: turn and translate each one, and scale all by the same factor.
 
@@ -38,6 +39,10 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     rotate : {"any", "quarter", "none"}, optional
         How charts may be turned: by any angle, by quarter turns from where they are aligned with the axes, or not at all. By
         default, aligned charts are taken where that costs at most 3 % of what is filled.
+    texels_per_unit : float, optional
+        The number of texels of a unit of length of the given UVs, on as many pages as that takes. By default, as many as fit.
+    pages : int, optional
+        The number of pages to fill at one scale, by default one; with `texels_per_unit`, the largest one allowed.
     bijective : bool
         Whether no chart may overlap itself, either.
     effort : {"fast", "default", "best"}
@@ -60,7 +65,7 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
     call.update(read(pack_charts, SurfaceOptions, options), bijective=flag("bijective", bijective),
                 margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size),
-                effort=choice(*EFFORTS)("effort", effort), **rotation(rotate))
+                effort=choice(*EFFORTS)("effort", effort), **rotation(rotate), **atlas(texels_per_unit, pages))
     found = _extension.pack_charts(call)
     if found["has_result"]:
         found["corner_uv"] = found["corner_uv"].reshape(*shape, 2)

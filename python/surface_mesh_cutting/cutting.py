@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, Optional, cast
 
 from . import _arrays, _extension
-from .options import INT_MAX, CuttingOptions, choice, flag, integer, read, real, rotation, takes
+from .options import INT_MAX, CuttingOptions, atlas, choice, flag, integer, read, real, rotation, takes
 from .results import CutResult, FeatureResult, UnwrapResult, make
 
 if TYPE_CHECKING:
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = None, *, bijective: bool = True,
            uv_scale: Literal["unit", "surface"] = "unit", margin: float = 2, texture_size: int = 1024,
            rotate: Optional[Literal["any", "quarter", "none"]] = None,
+           texels_per_unit: Optional[float] = None, pages: Optional[int] = None,
            **options: Unpack[CuttingOptions]) -> UnwrapResult:
     """Cut a surface and flatten it, without flips and with low isometric distortion.
 
@@ -50,6 +51,10 @@ def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = N
     rotate : {"any", "quarter", "none"}, optional
         How charts may be turned in the square: by any angle, by quarter turns from where they are aligned with the axes, or not
         at all from there. By default, aligned charts are taken where that costs at most 3 % of what is filled.
+    texels_per_unit : float, optional
+        The number of texels of a unit of length, on as many pages as that takes. By default, as many as fit.
+    pages : int, optional
+        The number of pages to fill at one scale, by default one; with `texels_per_unit`, the largest one allowed.
 
     Returns
     -------
@@ -73,7 +78,7 @@ def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = N
     call, shape = _arrays.surface(points, faces, offsets)
     call.update(read(unwrap, CuttingOptions, options), output="map")
     call["bijective"] = flag("bijective", bijective) and not call.get("faithful", False)
-    turns = rotation(rotate)
+    turns = rotation(rotate) | atlas(texels_per_unit, pages)
     if choice("unit", "surface")("uv_scale", uv_scale) == "unit":
         call.update(turns, margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size))
     found = _cut(call)

@@ -190,6 +190,18 @@ def rotation(value: Any) -> dict[str, str]:
     return {} if value is None else {"rotate": choice(*ROTATIONS)("rotate", value)}
 
 
+def atlas(texels_per_unit: Any, pages: Any) -> dict[str, Any]:
+    """The arguments of a call about scale and pages, which by default are left out."""
+    result: dict[str, Any] = {}
+    if texels_per_unit is not None:
+        result["texels_per_unit"] = real("texels_per_unit", texels_per_unit)
+        if not 0 < result["texels_per_unit"] < float("inf"):
+            raise ValueError("texels_per_unit must be positive and finite")
+    if pages is not None:
+        result["pages"] = integer(1, INT_MAX)("pages", pages)
+    return result
+
+
 def flag(name: str, value: Any) -> bool:
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} must be a bool, not {type(value).__name__}")
@@ -286,7 +298,8 @@ OTHER_NAMES = {
     "use_published_method": "faithful", "connect": "connection",
     "eps_iso": "minimum_distortion_decrease", "eps_len": "minimum_length_decrease",
     "alpha": "minimum_area_ratio", "beta": "influence_threshold",
-    "do_weld_points": "weld", "chart_rotation": "rotate", "random_seed": "seed", "maximum_running_time": "time_limit", "visitor": "progress",
+    "do_weld_points": "weld", "chart_rotation": "rotate", "number_of_pages": "pages",
+    "random_seed": "seed", "maximum_running_time": "time_limit", "visitor": "progress",
     "scale": "uv_scale"}
 
 

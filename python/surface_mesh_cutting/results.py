@@ -158,7 +158,9 @@ class UnwrapResult(CutResult):
     uv_scale : float
         UV units per unit of length of the mesh, the same for all charts.
     fill : float or None
-        The share of the unit square that the charts cover; `None` with ``uv_scale="surface"``.
+        The share of the unit square that the charts cover, the mean of several pages; `None` with ``uv_scale="surface"``.
+    page_fills : tuple of float
+        The same of each page. Page ``i`` is the square that begins at ``(i % 10, i // 10)``.
     """
 
     uv: Floats
@@ -171,6 +173,7 @@ class UnwrapResult(CutResult):
     number_of_charts: int
     uv_scale: float
     fill: Optional[float]
+    page_fills: tuple[float, ...]
 
     @property
     def corner_uv(self) -> Floats:
@@ -220,14 +223,17 @@ class PackingResult(Result):
     scale : float
         Length of an edge in the unit square over its length before, the same for all.
     fill : float
-        The share of the unit square that the charts cover.
+        The share of the unit square that the charts cover, the mean of several pages.
     number_of_charts : int
+    page_fills : tuple of float
+        The share of each page. Page ``i`` is the square that begins at ``(i % 10, i // 10)``.
     """
 
     corner_uv: Floats
     scale: float
     fill: float
     number_of_charts: int
+    page_fills: tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)

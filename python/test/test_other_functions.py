@@ -81,6 +81,27 @@ def test_certificates():
     assert smc.certify_unwrap(doubled, twice, overlapping, bijective=False)
 
 
+def test_pages():
+    points, faces = meshes.sphere(2)
+    flat = smc.unwrap(points, faces, uv_scale="surface")
+    assert flat.page_fills == ()
+    many = np.concatenate([points + [5 * i, 0, 0] for i in range(3)])
+    all_faces = np.concatenate([faces + i * len(points) for i in range(3)])
+    uv = np.concatenate([flat.corner_uv] * 3)
+    side = np.ptp(flat.uv, axis=0).max()
+    packed = smc.pack_charts(many, all_faces, uv, texels_per_unit=1000 / (1.1 * side))
+    assert packed.scale * 1024 == pytest.approx(1000 / (1.1 * side), rel=1e-5)
+    assert len(packed.page_fills) == 3 and sum(packed.page_fills) == pytest.approx(3 * packed.fill)
+    assert sorted({tuple(tile) for tile in np.floor(packed.corner_uv.mean(axis=1))}) == [(0, 0), (1, 0), (2, 0)]
+    assert smc.pack_charts(many, all_faces, uv, pages=3).scale > smc.pack_charts(many, all_faces, uv).scale
+    with pytest.raises(smc.InputError):
+        smc.pack_charts(many, all_faces, uv, texels_per_unit=1000 / (1.1 * side), pages=2)
+    for wrong in {"pages": 0}, {"texels_per_unit": 0}, {"texels_per_unit": float("nan")}:
+        with pytest.raises(ValueError):
+            smc.pack_charts(many, all_faces, uv, **wrong)
+    assert len(smc.unwrap(many, all_faces, pages=2).page_fills) == 2
+
+
 def test_pack_charts():
     points, faces = meshes.sphere(2)
     flat = smc.unwrap(points, faces, uv_scale="surface")

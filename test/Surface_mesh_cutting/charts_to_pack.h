@@ -94,8 +94,8 @@ inline Charts random_stars(CGAL::Random& random, int number)
   return charts;
 }
 
-// From the definition: all pairs of border edges, in exact arithmetic.
-inline void check_distances(const Charts& charts, double texels, int texture_size)
+// From the definition: all pairs of border edges, in exact arithmetic. Each part has to be on one of the pages.
+inline void check_distances(const Charts& charts, double texels, int texture_size, int number_of_pages = 1)
 {
   using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
   const auto exact = [](const Kernel::Point_2& p) { return Exact::Point_2(p.x(), p.y()); };
@@ -126,11 +126,20 @@ inline void check_distances(const Charts& charts, double texels, int texture_siz
     if(!mesh.is_border(h) && mesh.is_border(mesh.opposite(h)))
       borders.emplace_back(part[target(h, mesh)],
                            Exact::Segment_2(exact(charts.uv[mesh.prev(h)]), exact(charts.uv[h])));
+  std::vector<Kernel::Vector_2> corners(std::size_t(parts), Kernel::Vector_2(-1, -1)); // of the pages of parts
+  for(const auto h : mesh.halfedges())
+    if(Kernel::Vector_2& corner = corners[std::size_t(part[target(h, mesh)])]; !mesh.is_border(h) && corner.x() < 0)
+    {
+      const Kernel::Point_2 middle = CGAL::centroid(charts.uv[h], charts.uv[mesh.next(h)], charts.uv[mesh.prev(h)]);
+      corner = Kernel::Vector_2(std::floor(middle.x()), std::floor(middle.y()));
+      CHECK(corner.x() >= 0 && corner.x() < 10 && corner.y() >= 0 && corner.x() + 10 * corner.y() < number_of_pages);
+    }
   const CGAL::Exact_rational least = CGAL::Exact_rational(texels) * texels, size = texture_size;
   for(std::size_t i = 0; i < borders.size(); ++i)
   {
+    const Kernel::Vector_2& corner = corners[std::size_t(borders[i].first)];
     for(const Exact::Point_2& p : {borders[i].second.source(), borders[i].second.target()})
-      for(const auto& coordinate : {p.x(), p.y()})
+      for(const CGAL::Exact_rational& coordinate : {CGAL::Exact_rational(p.x() - corner.x()), CGAL::Exact_rational(p.y() - corner.y())})
         CHECK(coordinate * size >= texels && (1 - coordinate) * size >= texels);
     for(std::size_t j = 0; j < i; ++j)
       if(borders[i].first != borders[j].first)

@@ -214,6 +214,38 @@ void test_errors(CGAL::Random& random)
   CHECK(code(parameters::margin(1)) == Status_code::OK);
 }
 
+// Charts that are mirrored, and one that is folded: moved as they are, and apart.
+void test_flips(CGAL::Random& random)
+{
+  Charts charts = random_stars(random, 9);
+  const std::size_t star_faces = charts.mesh.number_of_faces();
+  charts.add_triangles({{0, 0}, {2, 0}, {1, 1}, {1.2, 0.1}}, {{0, 1, 2}, {1, 0, 3}}); // the second one on the first one
+  for(const auto face : charts.mesh.faces())
+  {
+    Mesh::Vertex_index middle(0); // of a star: its last vertex
+    for(const auto v : vertices_around_face(charts.mesh.halfedge(face), charts.mesh))
+      middle = (std::max)(middle, v);
+    for(const auto h : halfedges_around_face(charts.mesh.halfedge(face), charts.mesh))
+      if(std::size_t(face) < star_faces && std::size_t(middle) % 2 == 0)
+        charts.uv[h] = Kernel::Point_2(-charts.uv[h].x(), charts.uv[h].y());
+  }
+  const std::vector<Kernel::Point_2> before(charts.uv.begin(), charts.uv.end());
+  const auto np = parameters::do_bijective(false).texture_size(512);
+  CHECK(CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, np).status.code
+        == Status_code::NOT_CERTIFIED);
+  const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, np.allow_flips(true));
+  CHECK(result && result.number_of_charts == 10 && result.fill > 0.3);
+  check_distances(charts, 2, 512);
+  for(const auto face : charts.mesh.faces())
+  {
+    const auto h = charts.mesh.halfedge(face), n = charts.mesh.next(h), p = charts.mesh.prev(h);
+    const auto b = [&](Mesh::Halfedge_index i) { return before[std::size_t(i)]; };
+    CHECK(CGAL::orientation(b(h), b(n), b(p)) == CGAL::orientation(charts.uv[h], charts.uv[n], charts.uv[p]));
+    const double length = std::sqrt(CGAL::squared_distance(b(h), b(n)));
+    CHECK(std::abs(std::sqrt(CGAL::squared_distance(charts.uv[h], charts.uv[n])) - result.scale * length) < 1e-9);
+  }
+}
+
 } // namespace pack_charts_test
 
 int main(int argc, char** argv)
@@ -229,6 +261,7 @@ int main(int argc, char** argv)
   test_damage(random);
   test_errors(random);
   test_progress(random);
+  test_flips(random);
   test_random_charts(random);
   test_efforts(random);
   return test::exit_status();

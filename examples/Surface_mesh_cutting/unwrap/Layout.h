@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 struct Layout
@@ -39,12 +40,28 @@ struct Layout
   // One point per UV vertex: corners share it unless a cut edge lies between them.
   std::vector<std::array<double, 2> > uv_points;
   std::vector<Triangle> uv_triangles;
+  // Of several pages, which lie side by side in the plane, that of each polygon; of files in which they lie on top of each
+  // other, also the corner of the page of each UV vertex.
+  std::vector<int> polygon_pages;
+  std::vector<std::array<double, 2> > page_corners;
+  bool has_mirrored = false; // copies of charts, whose triangles are clockwise
   std::vector<Edge> chart_borders; // between UV vertices, each border once
 
   std::vector<Edge> cut; // between vertices
   std::vector<int> feature_points; // vertices
   double bounding_box_diagonal = 0;
   double uv_scale = 1; // UV units per unit of length
+  int uv_set = 0;      // which to write
+  std::vector<std::optional<std::array<double, 2> > > former_uvs; // per corner, where they were read
+
+  // As files have it.
+  std::array<double, 2> written_uv(std::size_t uv_vertex) const
+  {
+    std::array<double, 2> uv = uv_points[uv_vertex];
+    for(std::size_t i = 0; i < 2 && !page_corners.empty(); ++i)
+      uv[i] -= page_corners[uv_vertex][i]; // exact
+    return uv;
+  }
 };
 
 #endif // UNWRAP_LAYOUT_H

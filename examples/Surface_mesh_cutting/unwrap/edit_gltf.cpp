@@ -23,14 +23,14 @@ using gltf::Elements;
 using gltf::Json;
 using Primitive = Gltf_source::Primitive;
 
-constexpr const char *uv_attribute = "TEXCOORD_0", *normal_attribute = "NORMAL", *tangent_attribute = "TANGENT";
+constexpr const char *normal_attribute = "NORMAL", *tangent_attribute = "TANGENT";
 constexpr std::size_t triangles_mode = 4;
 
 class Gltf_editor
 {
 public:
   Gltf_editor(const Layout& layout, const std::string& png, bool has_new_tangents)
-    : m_layout(layout), m_source(*layout.gltf_source), m_data(m_source.document)
+    : m_layout(layout), m_source(*layout.gltf_source), m_data(m_source.document), m_uv_attribute(gltf::name_of_uvs(layout.uv_set))
   {
     if(!png.empty())
       add_material(png);
@@ -117,7 +117,7 @@ private:
     const auto for_each_reference = [&](auto visit)
     {
       for(auto attribute = attributes.begin(); attribute != attributes.end(); ++attribute)
-        if(attribute.key() != uv_attribute && !(has_new_tangents && attribute.key() == tangent_attribute))
+        if(attribute.key() != m_uv_attribute && !(has_new_tangents && attribute.key() == tangent_attribute))
           visit(attribute.value());
       for(Json& target : targets)
         for(Json& reference : target)
@@ -149,11 +149,14 @@ private:
 
   void put_uvs(const Split_vertices& vertices, std::size_t uses, Json& attributes)
   {
-    put_attribute(uv_attribute, "VEC2", vertices.uvs.size(), uses, attributes, [&](std::size_t v)
+    put_attribute(m_uv_attribute, "VEC2", vertices.uvs.size(), uses, attributes, [&](std::size_t v)
     {
       const int uv = vertices.uvs[v];
-      return uv < 0 ? std::array<float, 2>{{0, 0}} : gltf_uv(m_layout.uv_points[std::size_t(uv)]);
+      return uv < 0 ? std::array<float, 2>{{0, 0}} : gltf_uv(m_layout.written_uv(std::size_t(uv)));
     });
+    for(int set = 0; set < m_layout.uv_set; ++set) // the format wants all sets before
+      if(attributes.count(gltf::name_of_uvs(set)) == 0)
+        attributes[gltf::name_of_uvs(set)] = attributes[m_uv_attribute];
   }
 
   void put_tangents(const Split_vertices& vertices, const Elements& normals, std::size_t uses, Json& attributes)
@@ -164,13 +167,13 @@ private:
 
   // At its place among the others: some readers want it there.
   template <typename Numbers>
-  void put_attribute(const char* name, const char* type, std::size_t count, std::size_t uses, Json& attributes, Numbers numbers)
+  void put_attribute(const std::string& name, const char* type, std::size_t count, std::size_t uses, Json& attributes, Numbers numbers)
   {
     std::string bytes;
     for(std::size_t v = 0; v < count; ++v)
       for(const float number : numbers(v))
         store(number, false, bytes);
-    const std::optional<std::size_t> former = gltf::find_number(attributes, name);
+    const std::optional<std::size_t> former = gltf::find_number(attributes, name.c_str());
     attributes[name] = m_data.put_accessor(former ? replaceable(*former, uses) : std::nullopt,
                                            {{"componentType", gltf::single}, {"type", type}}, std::move(bytes),
                                            sizeof(numbers(0)), gltf::array_buffer);
@@ -212,12 +215,13 @@ private:
     const std::size_t image = add("images", {{"bufferView", m_data.add_view(png)}, {"mimeType", "image/png"}});
     const std::size_t sampler = add("samplers", Json::object()); // repeats the image
     const std::size_t texture = add("textures", {{"source", image}, {"sampler", sampler}});
-    m_material = add("materials", textured_material(texture));
+    m_material = add("materials", textured_material(texture, m_layout.uv_set));
   }
 
   const Layout& m_layout;
   const Gltf_source& m_source;
   gltf::Data m_data;
+  const std::string m_uv_attribute;
   std::vector<Tangent> m_tangents; // per corner of the soup, if they are computed
   std::optional<std::size_t> m_material;
 };

@@ -46,6 +46,9 @@ std::vector<double> numbers_of(const Json& object, const char* key, std::size_t 
 // Visits all members of all objects in `json`.
 void for_each_member(const Json& json, const std::function<void(const std::string& key, const Json& value)>& visit);
 
+// Of the attribute that holds a set of texture coordinates.
+inline std::string name_of_uvs(int set) { return "TEXCOORD_" + std::to_string(set); }
+
 } // namespace gltf
 
 #endif // UNWRAP_GLTF_JSON_H

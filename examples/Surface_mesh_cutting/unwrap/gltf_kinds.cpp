@@ -94,12 +94,29 @@ Data_kinds kinds_of(const Document& document)
   return kinds;
 }
 
-std::string list_outdated(const Document& document, bool has_new_tangents)
+namespace {
+
+// Whether a texture of some material, also by an extension, is placed by the coordinates of a set.
+bool has_textures_of(const Json& description, std::size_t set)
+{
+  bool has_found = false;
+  for(const Json& material : list(description, "materials"))
+    for_each_member(material, [&](const std::string&, const Json& value)
+    {
+      has_found = has_found || (value.is_object() && find_number(value, "index") && number_or(value, "texCoord", 0) == set);
+    });
+  return has_found;
+}
+
+} // namespace
+
+std::string list_outdated(const Document& document, int uv_set, bool has_new_tangents)
 {
   const Json& description = document.description();
   const std::set<std::string> attributes = names_of_attributes(description);
-  const bool has_textures = attributes.count("TEXCOORD_0") != 0 && !list(description, "textures").empty();
-  const bool has_tangents = attributes.count("TANGENT") != 0 && !has_new_tangents;
+  const bool has_textures = attributes.count(name_of_uvs(uv_set)) != 0
+                            && (uv_set == 0 ? !list(description, "textures").empty() : has_textures_of(description, std::size_t(uv_set)));
+  const bool has_tangents = uv_set == 0 && attributes.count("TANGENT") != 0 && !has_new_tangents;
   return std::string(has_textures ? "textures" : "") + (has_textures && has_tangents ? " and " : "")
          + (has_tangents ? "tangents" : "");
 }

@@ -13,7 +13,7 @@ namespace gltf {
 Data_kinds kinds_of(const Document& document);
 
 // Lists, as words, the data that belong to the texture coordinates and stay as they are when these change.
-std::string list_outdated(const Document& document, bool has_new_tangents);
+std::string list_outdated(const Document& document, int uv_set, bool has_new_tangents);
 
 } // namespace gltf
 

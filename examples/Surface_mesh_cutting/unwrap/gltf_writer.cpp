@@ -37,11 +37,13 @@ struct Gltf_vertex
 {
   int part, uv, point;
   Unit_normal normal;
-  Tangent tangent; // all 0 unless they are computed
+  Tangent tangent;                // all 0 unless they are computed
+  std::array<float, 2> former_uv; // of the first set, where another one is written
 
   friend bool operator<(const Gltf_vertex& v, const Gltf_vertex& w)
   {
-    return std::tie(v.part, v.uv, v.point, v.normal, v.tangent) < std::tie(w.part, w.uv, w.point, w.normal, w.tangent);
+    return std::tie(v.part, v.uv, v.point, v.normal, v.tangent, v.former_uv)
+           < std::tie(w.part, w.uv, w.point, w.normal, w.tangent, w.former_uv);
   }
   friend bool operator==(const Gltf_vertex& v, const Gltf_vertex& w) { return !(v < w) && !(w < v); }
 };
@@ -58,7 +60,9 @@ public:
   {
     collect_vertices();
     add_positions();
-    add_attribute("TEXCOORD_0", 2, [&](const Gltf_vertex& v) { return gltf_uv(m_layout.uv_points[std::size_t(v.uv)]); });
+    for(int set = 0; set <= m_layout.uv_set; ++set)
+      add_attribute(gltf::name_of_uvs(set).c_str(), 2, [&](const Gltf_vertex& v)
+      { return set == 0 && m_layout.uv_set > 0 ? v.former_uv : gltf_uv(m_layout.written_uv(std::size_t(v.uv))); });
     add_attribute("NORMAL", 3, [](const Gltf_vertex& v) { return v.normal; });
     if(m_has_tangents)
       add_attribute("TANGENT", 4, [](const Gltf_vertex& v) { return v.tangent; });
@@ -107,7 +111,7 @@ private:
       for(const int corner : triangle)
       {
         const std::size_t c = std::size_t(corner);
-        m_vertices.push_back({owners[c], m_layout.corner_uvs[c], m_layout.corners[c], normals[c], Tangent{}});
+        m_vertices.push_back({owners[c], m_layout.corner_uvs[c], m_layout.corners[c], normals[c], Tangent{}, former_uv(c)});
       }
     if(m_has_tangents)
       add_tangents();
@@ -120,6 +124,16 @@ private:
     for(const Gltf_vertex& vertex : m_vertices)
       ++m_first_vertices[std::size_t(vertex.part) + 1];
     std::partial_sum(m_first_vertices.begin(), m_first_vertices.end(), m_first_vertices.begin());
+  }
+
+  // That of the input, or the new one.
+  std::array<float, 2> former_uv(std::size_t corner) const
+  {
+    if(m_layout.uv_set == 0)
+      return {{0, 0}};
+    const std::size_t uv = std::size_t(m_layout.corner_uvs[corner]);
+    return gltf_uv(m_layout.former_uvs.empty() ? m_layout.written_uv(uv)
+                                               : m_layout.former_uvs[corner].value_or(std::array<double, 2>{{0, 0}}));
   }
 
   // To the corners of all triangles.
@@ -245,7 +259,7 @@ private:
 
   void add_material(const std::string& name)
   {
-    Json material = m_png.empty() ? plain_material() : textured_material(0);
+    Json material = m_png.empty() ? plain_material() : textured_material(0, m_layout.uv_set);
     if(!name.empty())
       material["name"] = name;
     m_materials.push_back(material);
@@ -283,11 +297,13 @@ Data_kinds kinds_in_gltf(const Layout& layout, bool has_own_material, bool has_t
 
 std::array<float, 2> gltf_uv(const std::array<double, 2>& uv) { return {{float(uv[0]), float(1 - uv[1])}}; }
 
-Json textured_material(std::size_t texture)
+Json textured_material(std::size_t texture, int uv_set)
 {
   Json material = plain_material();
   material["name"] = material_name;
   material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture}};
+  if(uv_set > 0)
+    material["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = uv_set;
   return material;
 }
 

@@ -17,8 +17,8 @@ std::string to_gltf(const Layout& layout, const std::string& png, bool has_tange
 // As the format holds it: images begin at the top.
 std::array<float, 2> gltf_uv(const std::array<double, 2>& uv);
 
-// The material that shows a texture.
-gltf::Json textured_material(std::size_t texture);
+// The material that shows a texture, by the coordinates of a set.
+gltf::Json textured_material(std::size_t texture, int uv_set);
 
 // What that keeps of the input.
 Data_kinds kinds_in_gltf(const Layout& layout, bool has_own_material, bool has_tangents);

@@ -103,6 +103,10 @@ Output:
       a page to look at: the surface, its layout, the measures; open it in any browser
   unwrap parts.stl --margin 4 --texture-size 2048
       charts at least 4 texels apart on a texture of 2048 by 2048
+  unwrap level.obj --texels-per-unit 256 --udim --stack
+      as many UDIM tiles as that takes, equal parts on one place
+  unwrap house.glb -o lit.glb --lightmap 512
+      a second set of texture coordinates for a light map
 Method:
   unwrap cow.off --max-distortion 4.1
       the shortest cut found that leaves barely visible distortion

@@ -21,6 +21,10 @@ std::vector<double> layout_energies(const Layout& layout)
       corners.points.emplace_back(p[0], p[1], p[2]);
       corners.uv.emplace_back(uv[0] / layout.uv_scale, uv[1] / layout.uv_scale);
     }
+    const Eigen::Vector2d *const uv = &corners.uv[std::size_t(first)], a = uv[1] - uv[0], b = uv[2] - uv[0];
+    if(layout.has_mirrored && a.x() * b.y() < a.y() * b.x()) // as its original
+      for(int k = 0; k < 3; ++k)
+        corners.uv[std::size_t(first + k)].x() *= -1;
   }
   corners.normalize();
   return internal::face_energies<Symmetric_Dirichlet_energy>(corners.shapes(), corners.triangles, corners.uv);

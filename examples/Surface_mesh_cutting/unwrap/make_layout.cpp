@@ -133,6 +133,7 @@ Layout layout_without_uvs(const Polygon_soup& soup)
   layout.ply_source = soup.ply_source;
   layout.gltf_source = soup.gltf_source;
   layout.kinds = soup.kinds;
+  layout.former_uvs = soup.corner_uvs;
   return layout;
 }
 

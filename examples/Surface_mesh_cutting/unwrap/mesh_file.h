@@ -29,6 +29,7 @@ struct Attributes
   bool has_looks = false;        // colors, normals, groups and materials
   bool has_source = false;       // of PLY, all that it says
   bool has_gltf_source = false;  // the same of glTF, which shows a mesh at several places: each is read once
+  int uv_set = 0;                // which to read, or the first one where it is missing, and which to replace
 };
 
 // Reads OFF, OBJ, PLY, STL, and what else CGAL reads. Points and polygons keep number and order;

@@ -36,7 +36,10 @@ void write_uvs(const Layout& layout, Number_writer& out)
   write_in_blocks(layout.uv_points.size(), [&](std::size_t begin, std::size_t end, Number_writer& block)
   {
     for(std::size_t v = begin; v < end; ++v)
-      block << "vt " << layout.uv_points[v][0] << " " << layout.uv_points[v][1] << "\n";
+    {
+      const std::array<double, 2> uv = layout.written_uv(v);
+      block << "vt " << uv[0] << " " << uv[1] << "\n";
+    }
   }, out);
 }
 

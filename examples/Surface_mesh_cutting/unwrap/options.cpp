@@ -40,7 +40,8 @@ void add_input_options(CLI::App& app, Options& options)
 void add_layout_options(CLI::App& app, Options& options, const std::string& group)
 {
   constexpr double largest_margin = 16384;
-  constexpr int largest_texture = 65536;
+  constexpr int largest_texture = 65536, largest_pages = 1000, largest_set = 7;
+  constexpr double smallest_density = 1e-9, largest_density = 1e9, largest_tolerance = 0.01;
   add_choice(app, "--uv-scale", options.uv_scale,
              "Texture coordinates in the unit square, or at the scale of\nthe surface with charts side by side",
              {"unit", "surface"})->group(group);
@@ -52,6 +53,31 @@ void add_layout_options(CLI::App& app, Options& options, const std::string& grou
     ->type_name("T")->default_str("2")->group(group);
   add_number<int>(app, "--texture-size", options.texture_size, "Texels along a side of the square", 1, largest_texture)
     ->type_name("N")->default_str("1024")->group(group);
+  add_number<double>(app, "--texels-per-unit", options.texels_per_unit,
+                     "Texels per unit of length, on as many pages as that takes", smallest_density, largest_density)
+    ->type_name("D")->default_str("as many as fit on the pages")->group(group);
+  add_number<int>(app, "--pages", options.most_pages, "Pages to fill at one scale, or at most to take", 1, largest_pages)
+    ->type_name("N")->default_str("1; with --texels-per-unit, any")->group(group);
+  app.add_flag("--udim", options.is_udim,
+               "Pages as UDIM tiles side by side, not on top of each\nother as groups")->group(group);
+  app.add_flag("--pack-only", options.is_pack_only,
+               "Keep the charts of the input's texture coordinates: move,\nturn and scale them only")->group(group);
+  app.add_flag("--stack", options.is_stacked,
+               "Parts that are congruent, or mirror images, are cut once\nand share one place")
+    ->excludes("--pack-only")->group(group);
+  add_number<double>(app, "--stack-tolerance", options.stack_tolerance,
+                     "How far their vertices may be off, in diagonals of a part", 0, largest_tolerance)
+    ->type_name("T")->default_str("0.0001")->group(group);
+  add_number<double>(app, "--min-fill", options.least_fill,
+                     "Divide long charts until this share of the pages is filled,\nif that is worth it", 0, 1)
+    ->type_name("F")->default_str("charts stay whole")->excludes("--texels-per-unit")->group(group);
+  add_number<int>(app, "--uv-set", options.uv_set,
+                  "The set of texture coordinates to write, in glTF and PLY;\nothers stay", 0, largest_set)
+    ->type_name("N")->default_str("0")->group(group);
+  add_number<int>(app, "--lightmap", options.lightmap,
+                  "For a light map of so many texels along a side: set 1, and a\nmargin that lasts down to 128 of them", 1,
+                  largest_texture)
+    ->type_name("TEXELS")->group(group);
 }
 
 void add_output_options(CLI::App& app, Options& options)
@@ -197,11 +223,42 @@ void add_published_options(CLI::App& app, Options& options)
     ->type_name("X")->default_str("20")->group(group);
 }
 
-// What the options mean together.
-void complete(Options& options)
+// A light map has a set of its own, if the format has several. Two texels are left of its margin in the level of the mipmap
+// that has 128 along a side.
+void apply_lightmap(const CLI::App& app, Options& options)
 {
+  constexpr double texels = 2, coarse_size = 128;
+  const auto is_given = [&](const char* name) { return app.get_option(name)->count() > 0; };
+  if(!is_given("--texture-size"))
+    options.texture_size = *options.lightmap;
+  if(!is_given("--margin"))
+    options.margin = texels * (std::max)(1., *options.lightmap / coarse_size);
+  if(!is_given("--uv-set"))
+    options.uv_set = is_obj(options.output) ? 0 : 1;
+}
+
+// What the options mean together.
+void complete(const CLI::App& app, Options& options)
+{
+  if(options.lightmap)
+    apply_lightmap(app, options);
+  if(options.uv_set > 0 && is_obj(options.output))
+    refuse("--uv-set needs an output in glTF or PLY: OBJ has one set of texture coordinates");
+  if(options.uv_set > 0 && options.has_tangents)
+    refuse("--tangents needs --uv-set 0");
   if(options.uv_scale == "unit" && !(2 * options.margin < options.texture_size))
     refuse("--margin must be less than half of --texture-size");
+  if(options.uv_scale != "unit" && (options.texels_per_unit || options.most_pages || options.is_udim))
+    refuse("--texels-per-unit, --pages and --udim need --uv-scale unit");
+  if(options.is_stacked && options.lightmap)
+    refuse("--stack: each part needs a place of its own in a light map");
+  if(options.least_fill && options.uv_scale != "unit")
+    refuse("--min-fill needs --uv-scale unit");
+  if(options.is_pack_only && options.uv_scale != "unit")
+    refuse("--pack-only needs --uv-scale unit");
+  if(options.is_pack_only &&
+     !(options.must_cut.empty() && (options.never_cut + options.initial_cut + options.terminals).empty()))
+    refuse("--pack-only keeps the charts as they are: nothing is cut");
   if(options.weld == "off" && options.weld_tolerance > 0)
     refuse("--weld-tolerance needs --weld on or auto");
   for(const std::string& word : options.must_cut)
@@ -224,10 +281,10 @@ bool is_injective(const Options& options)
 Attributes wanted_attributes(const Options& options)
 {
   const std::vector<std::string>& must_cut = options.must_cut;
-  const bool needs_uvs = options.initial_cut == seams_of_input ||
-                         std::find(must_cut.begin(), must_cut.end(), seams_of_input) != must_cut.end();
-  return {needs_uvs, options.weld != "off", true,
-          is_ply(options.output), is_gltf(options.output)};
+  const bool has_uvs = options.is_pack_only || options.initial_cut == seams_of_input ||
+                       std::find(must_cut.begin(), must_cut.end(), seams_of_input) != must_cut.end();
+  return {has_uvs || (options.uv_set > 0 && is_gltf(options.output)), options.weld != "off", true, is_ply(options.output),
+          is_gltf(options.output), options.uv_set};
 }
 
 std::vector<std::string> constraint_files(const Options& options)
@@ -268,7 +325,7 @@ Command_line parse_command_line(int argc, char** argv)
     check_options(app, argc, argv);
     app.parse(argc, argv);
     check_no_value_is_empty(app);
-    complete(options);
+    complete(app, options);
   }
   catch(const CLI::Success& success) // help or version
   {

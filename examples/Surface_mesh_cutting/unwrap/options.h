@@ -23,6 +23,15 @@ struct Options
   std::string rotate;                   // any, quarter, none; empty: quarter where that is cheap, else any
   double margin = 2;                    // texels
   int texture_size = 1024;
+  std::optional<double> texels_per_unit; // none: as many as fit
+  std::optional<int> most_pages;
+  bool is_udim = false;
+  bool is_pack_only = false;
+  bool is_stacked = false;
+  double stack_tolerance = 1e-4; // of the diagonal of a part
+  std::optional<double> least_fill;
+  int uv_set = 0;
+  std::optional<int> lightmap; // texels along its side: a preset
   bool is_quiet = false;
   bool has_progress_lines = false; // instead of a bar
 

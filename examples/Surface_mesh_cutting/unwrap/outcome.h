@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -74,7 +75,9 @@ struct Outcome
   std::vector<std::array<double, 2> > energy_quantiles; // shares of the area, and what they do not exceed
   std::vector<CGAL::Surface_mesh_cutting::Chart_distortion> chart_energies;
   std::optional<int> flips, overlaps, charts;
-  std::optional<double> uv_scale, fill; // UV units per unit of length; of the unit square
+  std::optional<std::vector<std::vector<int> > > stacked; // components, if they are compared
+  std::optional<double> uv_scale, texels_per_unit; // UV units, and texels, per unit of length
+  std::vector<double> fills;                       // of the unit square, of each page
   std::optional<CGAL::Surface_mesh_cutting::Distortion_measures> distortion; // if there is a report
   std::vector<std::array<double, 2> > trade_offs; // length of the cut over the diagonal, mean energy
   Phase_seconds seconds, cpu_seconds;
@@ -85,6 +88,13 @@ struct Outcome
   std::optional<double> maximum_average_distortion; // asked for
   std::optional<std::string> effort, solver;
   bool has_weights = false;
+
+  // The mean of the pages, if charts are packed.
+  std::optional<double> mean_fill() const
+  {
+    return fills.empty() ? std::nullopt
+                         : std::make_optional(std::accumulate(fills.begin(), fills.end(), 0.) / double(fills.size()));
+  }
 
   // Whether there is a valid result to write.
   bool has_result = false;

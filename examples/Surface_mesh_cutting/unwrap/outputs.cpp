@@ -33,7 +33,7 @@ Data_kinds written_kinds(const Options& options, const Layout& layout)
 
 std::string list_outdated(const Options& options, const Layout& layout)
 {
-  return layout.gltf_source ? gltf::list_outdated(layout.gltf_source->document, options.has_tangents) : "";
+  return layout.gltf_source ? gltf::list_outdated(layout.gltf_source->document, layout.uv_set, options.has_tangents) : "";
 }
 
 } // namespace

@@ -13,11 +13,19 @@
 
 namespace {
 
-const std::string& texture_property()
+std::string texture_property(const Layout& layout)
 {
-  static const std::string line = "property list uint double texcoord";
+  return "property list uint double " + Ply_header::name_of_uvs(layout.uv_set);
+}
+
+// The number of the texture of each polygon, where pages lie on top of each other, as VCG's programs know it.
+const std::string& page_property()
+{
+  static const std::string line = "property int texnumber";
   return line;
 }
+
+bool has_page_numbers(const Layout& layout) { return !layout.page_corners.empty(); }
 
 std::string image_comment(const std::string& image)
 {
@@ -30,7 +38,7 @@ void for_each_coordinate(const Layout& layout, std::size_t polygon, Visit visit)
 {
   for(std::size_t corner = polygon == 0 ? 0 : layout.polygon_ends[polygon - 1]; corner < layout.polygon_ends[polygon];
       ++corner)
-    for(const double x : layout.uv_points[std::size_t(layout.corner_uvs[corner])])
+    for(const double x : layout.written_uv(std::size_t(layout.corner_uvs[corner])))
       visit(x);
 }
 
@@ -50,6 +58,8 @@ std::string binary_texture_coordinates(const Layout& layout, std::size_t polygon
   std::string bytes;
   store(std::uint32_t(2 * number_of_corners(layout, polygon)), is_big_endian, bytes);
   for_each_coordinate(layout, polygon, [&](double x) { store(x, is_big_endian, bytes); });
+  if(has_page_numbers(layout))
+    store(std::int32_t(layout.polygon_pages[polygon]), is_big_endian, bytes);
   return bytes;
 }
 
@@ -70,9 +80,15 @@ std::string renewed(const Ply_source& source, const Layout& layout, const std::s
     if(place.content == Content::IMAGE && !image.empty())
       out << image_comment(image) << source.line_end;
     else if(place.content == Content::PROPERTY)
-      out << texture_property() << source.line_end;
+      out << texture_property(layout) << source.line_end
+          << (has_page_numbers(layout) ? page_property() + source.line_end : std::string());
     else if(place.content == Content::TEXTURE_COORDINATES && is_text)
-      write_texture_coordinates(layout, polygon++, out << (place.begin == place.end ? " " : ""));
+    {
+      write_texture_coordinates(layout, polygon, out << (place.begin == place.end ? " " : ""));
+      if(has_page_numbers(layout))
+        out << " " << layout.polygon_pages[polygon];
+      ++polygon;
+    }
     else if(place.content == Content::TEXTURE_COORDINATES)
       out << binary_texture_coordinates(layout, polygon++, source.format == Ply_header::Format::BIG);
   }
@@ -127,7 +143,9 @@ void write_header(const Layout& layout, const Vectors& normals, const std::strin
     out << "property double nx\nproperty double ny\nproperty double nz\n";
   write_color_properties(layout.colors, out);
   out << "element face " << int(layout.polygon_ends.size()) << "\nproperty list uint int vertex_indices\n"
-      << texture_property() << "\n";
+      << texture_property(layout) << "\n";
+  if(has_page_numbers(layout))
+    out << page_property() << "\n";
   write_color_properties(layout.face_colors, out);
   out << "end_header\n";
 }
@@ -154,6 +172,8 @@ std::string new_file(const Layout& layout, const std::string& image)
     for(; corner < layout.polygon_ends[polygon]; ++corner)
       out << " " << layout.corners[corner];
     write_texture_coordinates(layout, polygon, out << " ");
+    if(has_page_numbers(layout))
+      out << " " << layout.polygon_pages[polygon];
     write_color(layout.face_colors, polygon, out);
     out << "\n";
   }

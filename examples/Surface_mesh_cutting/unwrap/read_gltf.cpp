@@ -155,6 +155,12 @@ private:
              ? std::make_optional(std::move(elements)) : std::nullopt;
   }
 
+  std::optional<Elements> find_uvs(const Json& primitive, std::size_t number) const
+  {
+    std::optional<Elements> uvs = find_attribute(primitive, gltf::name_of_uvs(m_attributes.uv_set).c_str(), 2, number);
+    return uvs ? uvs : find_attribute(primitive, gltf::name_of_uvs(0).c_str(), 2, number);
+  }
+
   void add_primitive(const Instance& instance, std::size_t index, const Json& primitive)
   {
     end_if_stop_is_requested();
@@ -171,7 +177,7 @@ private:
     const bool has_normals = m_attributes.has_looks && !m_attributes.has_gltf_source && linear.determinant() != 0;
     const Vertices vertices = {*points,
                                m_attributes.has_looks ? find_attribute(primitive, "COLOR_0", 3, number) : std::nullopt,
-                               m_attributes.has_uvs ? find_attribute(primitive, "TEXCOORD_0", 2, number) : std::nullopt,
+                               m_attributes.has_uvs ? find_uvs(primitive, number) : std::nullopt,
                                has_normals ? find_attribute(primitive, "NORMAL", 3, number) : std::nullopt,
                                instance.transformation,
                                has_normals ? Eigen::Matrix3d(linear.inverse().transpose()) : linear};

@@ -98,7 +98,7 @@ public:
   void read(const Element& element, Ply_values& values)
   {
     const Point_properties properties(element, m_attributes);
-    const std::vector<int> uv = m_places != nullptr ? element.find_point_uv() : std::vector<int>();
+    const std::vector<int> uv = m_places != nullptr && m_attributes.uv_set == 0 ? element.find_point_uv() : std::vector<int>();
     m_soup.points.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
     for(int i = 0; i < element.number; ++i)
     {
@@ -227,7 +227,8 @@ void add_uvs(const std::vector<double>& texture, int number_of_corners, Polygon_
 void read_polygons(const Element& element, Attributes attributes, Ply_values& values, Polygon_soup& soup,
                    Places* places)
 {
-  const int indices = find_vertex_indices(element, "faces"), uvs = element.find("texcoord");
+  const int indices = find_vertex_indices(element, "faces"), replaced = element.find(Ply_header::name_of_uvs(attributes.uv_set)),
+            uvs = replaced >= 0 ? replaced : element.find(Ply_header::name_of_uvs(0));
   const bool does_read_uvs = attributes.has_uvs && uvs >= 0 && element.properties[std::size_t(uvs)].is_list;
 
   soup.polygon_ends.reserve((std::min)(std::size_t(element.number), values.maximum_number()));
@@ -238,17 +239,17 @@ void read_polygons(const Element& element, Attributes attributes, Ply_values& va
     for(int p = 0; p < int(element.properties.size()); ++p)
     {
       const Property& property = element.properties[std::size_t(p)];
-      const std::size_t begin = p == uvs && places != nullptr ? values.next_begin() : 0;
+      const std::size_t begin = p == replaced && places != nullptr ? values.next_begin() : 0;
       if(p == indices)
         read_corners(property, values, soup);
       else if(p == uvs && does_read_uvs)
         texture = read_list(property, values);
       else
         skip(property, values);
-      if(p == uvs && places != nullptr)
+      if(p == replaced && places != nullptr)
         places->push_back({begin, values.end(), Ply_source::Content::TEXTURE_COORDINATES});
     }
-    if(uvs < 0 && places != nullptr)
+    if(replaced < 0 && places != nullptr)
       places->push_back({values.end(), values.end(), Ply_source::Content::TEXTURE_COORDINATES});
     values.end_element();
     if(attributes.has_uvs)
@@ -300,7 +301,7 @@ std::string end_of_line(std::string_view line)
 }
 
 // With the places in its header.
-Ply_source make_source(const Ply_header& header, std::string_view bytes)
+Ply_source make_source(const Ply_header& header, int uv_set, std::string_view bytes)
 {
   using Content = Ply_source::Content;
   Ply_source source = {std::string(bytes), header.format, end_of_line(header.format_line), {}};
@@ -315,10 +316,10 @@ Ply_source make_source(const Ply_header& header, std::string_view bytes)
     add(line, Content::FORMER_IMAGE);
   for(const Element& element : header.elements)
   {
-    if(const int uvs = element.find("texcoord"); element.has_polygons() && !element.properties.empty())
+    if(const int uvs = element.find(Ply_header::name_of_uvs(uv_set)); element.has_polygons() && !element.properties.empty())
       add(uvs < 0 ? behind(element.properties.back().line) : element.properties[std::size_t(uvs)].line,
           Content::PROPERTY);
-    if(element.has_points())
+    if(element.has_points() && uv_set == 0)
       for(const int property : element.find_point_uv())
         add(element.properties[std::size_t(property)].line, Content::POINT_UV);
   }
@@ -339,7 +340,7 @@ Polygon_soup read_ply(std::string_view bytes, Attributes attributes)
   const bool has_strips = std::any_of(header.elements.begin(), header.elements.end(),
                                       [](const Element& element) { return element.has_strips(); });
   const std::shared_ptr<Ply_source> source // whose corners have a place for texture coordinates
-    = attributes.has_source && !has_strips ? std::make_shared<Ply_source>(make_source(header, bytes)) : nullptr;
+    = attributes.has_source && !has_strips ? std::make_shared<Ply_source>(make_source(header, attributes.uv_set, bytes)) : nullptr;
   Places* const places = source ? &source->places : nullptr;
   Polygon_soup soup;
   Point_reader points(attributes, places, soup);

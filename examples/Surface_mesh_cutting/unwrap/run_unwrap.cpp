@@ -2,10 +2,15 @@
 
 #include "Constraints.h"
 #include "Progress_visitor.h"
+#include "Stacking.h"
+#include "divide_long_charts.h"
+#include "given_layout.h"
 #include "make_layout.h"
 #include "pack.h"
+#include "pages.h"
 #include "stop_request.h"
 #include "summary.h"
+#include "surface_numbers.h"
 
 #include <CGAL/Default.h>
 #include <CGAL/Eigen_solver_traits.h>
@@ -177,8 +182,10 @@ void tell_summary(const Options& options, Outcome& outcome)
     outcome.message = summary(outcome);
   else if(outcome.exit_code == Exit_code::STOPPED)
     outcome.message += "; the best result so far is written: " + summary(outcome);
-  if(const std::optional<std::string> warning = warning_of_many_charts(outcome, options.weld))
-    outcome.warnings.push_back(*warning);
+  for(const std::optional<std::string>& warning : {warning_of_many_charts(outcome, options.weld),
+                                                   warning_of_empty_pages(outcome, options.least_fill)})
+    if(warning)
+      outcome.warnings.push_back(*warning);
 }
 
 SMC::Connection connection_of(const std::string& name)
@@ -256,38 +263,108 @@ int available_threads()
 #endif
 }
 
-Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& options, Outcome& outcome)
-{
-  using namespace CGAL::Surface_mesh_parameterization::internal;
-  constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
-  Mesh& mesh = surface.mesh;
-  end_if_stop_is_requested();
-  const Cut_map is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
-  const UV_map uvs = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-  const Constraints constraints = read_constraints(options, soup, surface);
-  outcome.warnings.insert(outcome.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
-  const Result result = run_library(mesh, options, constraints, is_cut, uvs);
-  tell(result, surface, soup, outcome);
-  if(!outcome.has_result)
-    return {};
+namespace {
 
-  // On other polygons, both make an adapter, and each would add properties to the mesh.
-  const Execution on_triangles = *outcome.polygons == 0 ? execution : Execution::SEQUENTIAL;
-  Layout layout;
-  execute_both(on_triangles, [&] { pack(mesh, is_cut, uvs, options, outcome); },
-               [&] { layout = make_layout(surface, is_cut, soup); });
-  tell_summary(options, outcome);
-  layout.uv_scale = outcome.uv_scale.value_or(1);
-  execute_both(execution, [&] { place_uv_vertices(surface, uvs, layout); }, [&]
+// What parts of the layout are made of: the surface, or one of each kind of its parts.
+struct Work
+{
+  Surface& surface;
+  Cut_map is_cut;
+  UV_map uvs;
+
+  explicit Work(Surface& surface)
+    : surface(surface), is_cut(surface.mesh.add_property_map<Edge, bool>("e:is_cut", false).first),
+      uvs(surface.mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first)
+  {}
+};
+
+// The library's result, without much in it where the layout is given. Tells `outcome` about it.
+Result find_layout(const Polygon_soup& soup, Surface& surface, Stacking* stacking, const Options& options, Work& work,
+                   Outcome& outcome)
+{
+  if(options.is_pack_only)
   {
-    if(!options.json.empty() || !options.html.empty())
-      outcome.distortion = SMC::distortion_report(mesh, is_cut, uvs);
-  });
+    read_given_layout(soup, surface, work.is_cut, work.uvs);
+    outcome.has_result = true;
+    return Result();
+  }
+  Constraints constraints = read_constraints(options, soup, surface);
+  outcome.warnings.insert(outcome.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
+  if(stacking != nullptr)
+    constraints = stacking->constraints_of_originals(constraints);
+  const Result result = run_library(work.surface.mesh, options, constraints, work.is_cut, work.uvs);
+  tell(result, work.surface, soup, outcome);
+  if(stacking != nullptr)
+    tell_numbers(surface.mesh, outcome);
+  return result;
+}
+
+void add_feature_points(const Result& result, const Surface& surface, Layout& layout)
+{
   std::vector<int>& features = layout.feature_points;
   for(const Vertex v : result.feature_points)
     features.push_back(surface.vertices[v]);
   std::sort(features.begin(), features.end());
   features.erase(std::unique(features.begin(), features.end()), features.end());
-  layout.bounding_box_diagonal = result.bounding_box_diagonal;
+}
+
+} // namespace
+
+Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& options, Outcome& outcome)
+{
+  using namespace CGAL::Surface_mesh_parameterization::internal;
+  constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
+  end_if_stop_is_requested();
+  std::optional<Stacking> stacking;
+  if(options.is_stacked)
+    outcome.stacked = stacking.emplace(surface, options.stack_tolerance).stacks();
+  if(stacking && !stacking->has_copies())
+    stacking.reset();
+  Work work(stacking ? stacking->originals() : surface);
+  const Result result = find_layout(soup, surface, stacking ? &*stacking : nullptr, options, work, outcome);
+  if(!outcome.has_result)
+    return {};
+
+  const Mesh& mesh = work.surface.mesh;
+  const double given_scale = options.is_pack_only ? scale_of_layout(mesh, work.uvs) : 1;
+  std::optional<Work> whole; // with all copies
+  if(stacking)
+    whole.emplace(surface);
+  const Work& all = whole ? *whole : work;
+  Layout layout;
+  const auto start_layout = [&]
+  {
+    if(stacking)
+      stacking->copy_cut(work.is_cut, all.is_cut);
+    layout = make_layout(surface, all.is_cut, soup);
+  };
+  // On other polygons, both make an adapter, and each would add properties to the mesh.
+  const Execution on_triangles = *outcome.polygons == 0 ? execution : Execution::SEQUENTIAL;
+  if(options.least_fill)
+  {
+    pack_with_least_fill(mesh, work.is_cut, work.uvs, given_scale, options, outcome);
+    start_layout();
+  }
+  else
+    execute_both(on_triangles, [&] { pack(mesh, work.is_cut, work.uvs, given_scale, options, outcome); }, start_layout);
+  if(stacking)
+    stacking->copy_uvs(work.uvs, all.uvs);
+  if(options.is_pack_only)
+    tell_given_layout(mesh, work.is_cut, work.uvs, outcome);
+  tell_summary(options, outcome);
+  layout.uv_scale = outcome.uv_scale.value_or(1);
+  layout.uv_set = options.uv_set;
+  layout.has_mirrored = stacking && stacking->has_mirrored();
+  layout.bounding_box_diagonal = diagonal_of(surface.mesh);
+  add_feature_points(result, work.surface, layout);
+  execute_both(execution, [&]
+  {
+    place_uv_vertices(surface, all.uvs, layout);
+    place_pages(options, int(outcome.fills.size()), layout);
+  }, [&]
+  {
+    if(!options.json.empty() || !options.html.empty())
+      outcome.distortion = SMC::distortion_report(mesh, work.is_cut, work.uvs);
+  });
   return layout;
 }

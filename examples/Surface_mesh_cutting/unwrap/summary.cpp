@@ -26,18 +26,24 @@ std::string summary(const Outcome& outcome)
   std::ostringstream text;
   text << (*outcome.polygons == 0 ? counted(*outcome.faces, "triangle", "triangles")
                                   : counted(*outcome.faces, "polygon", "polygons"))
-       << " in " << counted(*outcome.charts, "chart", "charts") << ", stretched by ";
-  write_number(stretch_in_percent(*outcome.average_energy), 2, text);
-  text << " % on average (energy ";
-  write_number(*outcome.average_energy, 4, text);
-  text << "), cut of ";
+       << " in " << counted(*outcome.charts, "chart", "charts");
+  if(outcome.average_energy) // else some triangles are clockwise
+  {
+    text << ", stretched by ";
+    write_number(stretch_in_percent(*outcome.average_energy), 2, text);
+    text << " % on average (energy ";
+    write_number(*outcome.average_energy, 4, text);
+    text << ")";
+  }
+  text << ", cut of ";
   write_number(*outcome.cut_length, 4, text);
   text << " bounding box diagonals";
-  if(outcome.fill)
+  if(const std::optional<double> fill = outcome.mean_fill())
   {
     text << ", ";
-    write_number(100 * *outcome.fill, 3, text);
-    text << " % of the square filled";
+    write_number(100 * *fill, 3, text);
+    text << " % of " << (outcome.fills.size() == 1 ? "the square" : std::to_string(outcome.fills.size()) + " pages")
+         << " filled";
   }
   return text.str();
 }
@@ -50,4 +56,17 @@ std::optional<std::string> warning_of_many_charts(const Outcome& outcome, const 
   return "the layout has " + std::to_string(*outcome.charts) + " charts for " + std::to_string(*outcome.faces)
          + " faces, since the surface consists of so many parts"
          + (weld == "on" ? "" : "; --weld on connects parts whose vertices are at the same points");
+}
+
+std::optional<std::string> warning_of_empty_pages(const Outcome& outcome, std::optional<double> least_fill)
+{
+  constexpr double little = 0.25;
+  const std::optional<double> fill = outcome.mean_fill();
+  if(least_fill || !fill || *fill >= little)
+    return std::nullopt;
+  std::ostringstream text;
+  text << "most of the texture is empty: charts fill ";
+  write_number(100 * *fill, 3, text);
+  text << " % of it; --min-fill divides long ones";
+  return text.str();
 }

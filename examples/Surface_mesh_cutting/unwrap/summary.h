@@ -14,4 +14,7 @@ std::string summary(const Outcome& outcome);
 // What is odd about a layout with very many charts, and what may help.
 std::optional<std::string> warning_of_many_charts(const Outcome& outcome, const std::string& weld);
 
+// That most of the pages is empty, unless a least filled share was asked for.
+std::optional<std::string> warning_of_empty_pages(const Outcome& outcome, std::optional<double> least_fill);
+
 #endif // UNWRAP_SUMMARY_H

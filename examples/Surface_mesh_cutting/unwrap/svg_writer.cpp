@@ -8,6 +8,10 @@
 #include "stretch.h"
 #include "svg_elements.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/Page_tile.h>
+
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,6 +40,13 @@ public:
       {
         m_low[i] = (std::min)(m_low[i], uv[i]);
         high[i] = (std::max)(high[i], uv[i]);
+      }
+    for(const int page : layout.polygon_pages)
+      for(std::size_t i = 0; i < 2; ++i)
+      {
+        const double low = CGAL::Surface_mesh_cutting::internal::corner_of_page(page)[Eigen::Index(i)];
+        m_low[i] = (std::min)(m_low[i], low);
+        high[i] = (std::max)(high[i], low + 1);
       }
     const double extent = (std::max)(high[0] - m_low[0], high[1] - m_low[1]);
     m_scale = extent > 0 ? longer_side / extent : 1;
@@ -87,6 +98,25 @@ void draw_edges(const Layout& layout, const View& view, Number_writer& out)
                   out);
     }
   out << "\"/>\n";
+}
+
+// The squares of several pages, with the numbers of their tiles.
+void draw_pages(const Layout& layout, const View& view, Number_writer& out)
+{
+  if(layout.polygon_pages.empty())
+    return;
+  constexpr int first_tile = 1001;
+  const int number = *std::max_element(layout.polygon_pages.begin(), layout.polygon_pages.end()) + 1;
+  out << "<g fill=\"none\" stroke=\"#999\" font-family=\"sans-serif\" font-size=\"13\">\n";
+  for(int page = 0; page < number; ++page)
+  {
+    const Eigen::Vector2d low = CGAL::Surface_mesh_cutting::internal::corner_of_page(page);
+    const Point corner = view({{low.x(), low.y() + 1}});
+    out << "<rect x=\"" << Coarse{corner[0]} << "\" y=\"" << Coarse{corner[1]} << "\" width=\"" << Coarse{view.scale()}
+        << "\" height=\"" << Coarse{view.scale()} << "\"/>\n";
+    write_text(corner[0] + 4, corner[1] + 14, "start", std::to_string(first_tile + page), out);
+  }
+  out << "</g>\n";
 }
 
 void draw_borders(const Layout& layout, const View& view, Number_writer& out)
@@ -175,6 +205,7 @@ std::string to_svg(const Layout& layout, const Outcome& outcome, const std::stri
   if(style != "partners")
     draw_triangles(layout, view, out);
   draw_edges(layout, view, out);
+  draw_pages(layout, view, out);
   if(style == "partners")
     draw_partners(layout, view, out);
   else

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/Status.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 
@@ -31,8 +33,10 @@ struct Packing_result
   bool has_result = false;
   /// length of an edge in the unit square over its former length in the plane, the same for all edges of all charts.
   double scale = 0;
-  /// area of the charts in the unit square: between 0 and 1.
+  /// area of the charts in the unit square: between 0 and 1. The mean of several pages.
   double fill = 0;
+  /// the same of each page. Their number is that of the pages with charts.
+  std::vector<double> page_fills;
   /// number of parts of the surface that are connected through edges not cut.
   int number_of_charts = 0;
 

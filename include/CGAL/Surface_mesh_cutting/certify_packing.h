@@ -31,7 +31,7 @@ namespace Surface_mesh_cutting {
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// proves that charts are packed: their UVs are finite and agree where no edge is cut; all triangles are
-/// counterclockwise; all charts lie in the unit square, at least the margin away from its border; no chart lies on
+/// counterclockwise; each chart lies in the square of a page, at least the margin away from its border; no chart lies on
 /// another one; and the distance between any two charts is at least the margin. With `do_bijective`, it also proves that no
 /// chart overlaps itself.
 ///
@@ -65,6 +65,11 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{the number of texels along a side of the square; at least 1}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{`1024`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_pages}
+///     \cgalParamDescription{the number of pages, which lie as `pack_charts()` places them; the first one is the unit square}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`1`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_bijective}
 ///     \cgalParamDescription{whether to prove that no chart overlaps itself}

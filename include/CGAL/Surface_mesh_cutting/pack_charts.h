@@ -42,6 +42,9 @@ namespace Surface_mesh_cutting {
 /// factor, which it makes large. It considers outlines, not boxes: small charts find places in the bays and holes of large
 /// ones.
 ///
+/// Charts may fill several pages at one scale, or be given a scale, from which the number of pages follows. Pages are the
+/// squares of a grid, as UDIM counts them: page `i` is the unit square moved by `i % 10` to the right and `i / 10` up.
+///
 /// A chart is a part of the surface that is connected through edges not cut; it need not be a disk.
 ///
 /// The function proves the result as `certify_packing()` does, with the coordinates that `halfedge_uv_map` holds; they may
@@ -85,6 +88,25 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamType{`Surface_mesh_cutting::Chart_rotation`}
 ///     \cgalParamDefault{`Chart_rotation::AUTOMATIC`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{texels_per_unit}
+///     \cgalParamDescription{the number of texels to which a unit of length in the given UVs is scaled, on as few pages as the
+///                           function finds; 0 stands for as many texels as fit}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_pages}
+///     \cgalParamDescription{the number of pages to fill or, with `texels_per_unit`, the largest one allowed; there, 0 stands
+///                           for any number}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`1`; with `texels_per_unit`, `0`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{allow_flips}
+///     \cgalParamDescription{whether charts may be mirrored, as a whole or in parts, such as those of other programs; they stay
+///                           so. A chart that is folded keeps its distances with its convex hull, which then also is what
+///                           the filled area and the proof are about}
+///     \cgalParamType{Boolean}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_bijective}
 ///     \cgalParamDescription{whether to refuse charts that overlap themselves}
 ///     \cgalParamType{Boolean}
@@ -115,8 +137,9 @@ namespace Surface_mesh_cutting {
 /// \return the scale, the filled area and the number of charts. Its `status` is one of
 /// - `Status_code::OK`;
 /// - `Status_code::NOT_CERTIFIED`, with the faces concerned, if UVs are not finite, differ where no edge is cut, or a
-///   triangle is not counterclockwise, or, with `do_bijective`, if triangles overlap; or if rounding spoils the result;
-/// - `Status_code::INFEASIBLE_CONSTRAINTS` if there are so many charts that their margins leave no room;
+///   triangle is not counterclockwise (unless `allow_flips`), or, with `do_bijective`, if triangles overlap; or if rounding spoils the result;
+/// - `Status_code::INFEASIBLE_CONSTRAINTS` if there are so many charts that their margins leave no room; with
+///   `texels_per_unit`, if a chart is larger than a page, or the charts find no room on `number_of_pages` pages;
 /// - `Status_code::WRONG_PARAMETER`;
 /// - `Status_code::STOPPED` if the visitor ended the run; the charts are packed, but could be larger;
 /// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
@@ -167,6 +190,7 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
         put(halfedge_uv_map, adapter.to_halfedge_at_source(h), make_uv(packing.uv[chart.source(h)]));
     result.scale = packing.scale;
     result.fill = packing.fill;
+    result.page_fills = packing.page_fills;
     result.number_of_charts = packing.number_of_charts;
   }
   result.status = adapter.translate(status);

@@ -8,10 +8,13 @@ function gathered(source, size, indices) {
   return result;
 }
 
-// What of the plane to show: the unit square, or all charts at the scale of the surface.
+// Pages lie side by side, ten in a row.
+const numberOfPages = report.pages || 1;
+
+// What of the plane to show: the pages, or all charts at the scale of the surface.
 function layoutBox() {
   if (report.fill !== null)
-    return {low: [0, 0], high: [1, 1]};
+    return {low: [0, 0], high: [Math.min(numberOfPages, 10), Math.ceil(numberOfPages / 10)]};
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
   for (let i = 0; i < uvs.length; ++i) {
     low[i % 2] = Math.min(low[i % 2], uvs[i]);
@@ -20,7 +23,8 @@ function layoutBox() {
   return {low, high};
 }
 
-const layoutHint = () => report.fill === null ? 'at the scale of the surface' : 'the unit square';
+const layoutHint = () => report.fill === null ? 'at the scale of the surface'
+  : numberOfPages === 1 ? 'the unit square' : `${numberOfPages} pages`;
 
 // Squares per unit of the layout.
 const checkerFrequency = () => 40 / facts.diagonal / (report.uv_scale || 1);
@@ -121,7 +125,9 @@ class FlatLayout {
   drawSquare(context, stroke) {
     context.lineWidth = this.ratio;
     context.strokeStyle = stroke;
-    context.strokeRect(this.origin[0], this.origin[1] - this.scale, this.scale, this.scale);
+    for (let page = 0; page < numberOfPages; ++page)
+      context.strokeRect(this.origin[0] + page % 10 * this.scale, this.origin[1] - (Math.floor(page / 10) + 1) * this.scale,
+                         this.scale, this.scale);
   }
 
   drawMarks(context, fill, stroke) {

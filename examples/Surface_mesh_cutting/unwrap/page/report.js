@@ -31,6 +31,7 @@ function stretch(energy) {
 }
 const percent = (share, precision = 2) => digits(100 * share, precision) + ' %';
 const stretched = energy => percent(stretch(energy) - 1);
+const mean = value => Array.isArray(value) ? value.reduce((a, b) => a + b) / value.length : value;
 const plural = (count, one, many) => digits(count) + ' ' + (count === 1 ? one : many);
 
 function append(parent, name, text, attributes = {}) {
@@ -53,7 +54,7 @@ function showFigures() {
     ['E_iso', 'Stretch', stretched, 'on average; energy ' + digits(report.E_iso)],
     ['E_max', 'Largest stretch', stretched, 'of a triangle; energy ' + digits(report.E_max)],
     ['cut_length', 'Length of the cut', digits, 'bounding box diagonals'], ['charts', 'Charts', digits, 'pieces of the layout'],
-    ['fill', 'Square filled', value => percent(value, 3), 'by the charts'],
+    ['fill', report.pages > 1 ? 'Pages filled' : 'Square filled', value => percent(mean(value), 3), 'by the charts'],
     ['overlaps', 'Overlaps', digits, 'proven'], ['flips', 'Flips', digits, 'proven']];
   for (const [key, label, format, unit] of figures) {
     if (report[key] === null || report[key] === undefined)
@@ -82,7 +83,7 @@ function sentences() {
   if (report.cut_cost !== null && report.cut_cost !== undefined)
     texts.push('Edges had weights: the cut costs ' + digits(report.cut_cost) + ' in the same unit.');
   if (report.uv_scale && report.fill !== null)
-    texts.push('One unit of length on the surface is ' + digits(report.uv_scale) + ' units of the unit square, the same for all charts, which are at least '
+    texts.push('One unit of length on the surface is ' + digits(report.uv_scale) + (report.pages > 1 ? ' sides of a page' : ' units of the unit square') + ', the same for all charts, which are at least '
       + digits(facts.margin) + ' texels of ' + digits(facts.texture_size) + ' apart.');
   if (report.status !== 'done')
     texts.push(report.message.charAt(0).toUpperCase() + report.message.slice(1) + '.');
@@ -121,6 +122,7 @@ function showMeasures() {
     candidates: 'Candidates', features: 'Feature points', auxiliary: 'Branch points added', cut_length: 'Length of the cut',
     cut_cost: 'Cost of the cut', cut_lower_bound: 'Lower bound on its length', optimal: 'Proven shortest', E_iso: 'Mean energy',
     E_max: 'Largest energy', flips: 'Flips', overlaps: 'Overlaps', charts: 'Charts', uv_scale: 'Scale of the UVs', fill: 'Fill of the square',
+    pages: 'Pages', texels_per_unit: 'Texels per unit of length',
     effort: 'Effort', solver: 'Linear solver', seed: 'Seed', threads: 'Threads', peak_memory_mb: 'Memory in megabytes'};
   const add = (label, make) => {
     const row = append(element('measures'), 'div');
@@ -129,7 +131,7 @@ function showMeasures() {
   };
   for (const key in names)
     if (report[key] !== null && report[key] !== undefined && !(key === 'polygons' && report[key] === 0))
-      add(names[key], row => show(row, 'dd', key, typeof report[key] === 'boolean' ? (report[key] ? 'yes' : 'no') : digits(report[key], 6)));
+      add(names[key], row => show(row, 'dd', key, typeof report[key] === 'boolean' ? (report[key] ? 'yes' : 'no') : digits(mean(report[key]), 6)));
   const columns = {
     max_area_distortion: 'Largest area distortion', average_area_discrepancy: 'Average area discrepancy',
     max_angle_distortion: 'Largest angle distortion', average_angle_discrepancy: 'Average angle discrepancy',

@@ -233,9 +233,12 @@ class LayoutView extends View {
     super(...rest);
     this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
     Object.assign(this, layoutBox());
-    if (report.fill !== null) { // the square itself
-      const square = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]);
-      this.square = new THREE.LineLoop(new THREE.BufferGeometry().setAttribute('position', new THREE.BufferAttribute(square, 3)), new THREE.LineBasicMaterial());
+    if (report.fill !== null) { // the squares themselves
+      const sides = [0, 0, 1, 0, 1, 0, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0], square = [];
+      for (let page = 0; page < numberOfPages; ++page)
+        for (let i = 0; i < sides.length; i += 2)
+          square.push(sides[i] + page % 10, sides[i + 1] + Math.floor(page / 10), 0);
+      this.square = new THREE.LineSegments(new THREE.BufferGeometry().setAttribute('position', new THREE.BufferAttribute(new Float32Array(square), 3)), new THREE.LineBasicMaterial());
       this.scene.add(this.square);
     }
     this.reset();

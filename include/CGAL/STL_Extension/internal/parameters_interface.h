@@ -51,6 +51,9 @@ CGAL_add_named_parameter(occlusion_radius_t, occlusion_radius, occlusion_radius)
 CGAL_add_named_parameter(margin_t, margin, margin)
 CGAL_add_named_parameter(texture_size_t, texture_size, texture_size)
 CGAL_add_named_parameter(chart_rotation_t, chart_rotation, chart_rotation)
+CGAL_add_named_parameter(texels_per_unit_t, texels_per_unit, texels_per_unit)
+CGAL_add_named_parameter(number_of_pages_t, number_of_pages, number_of_pages)
+CGAL_add_named_parameter(allow_flips_t, allow_flips, allow_flips)
 
 // Names that CGAL itself has only since a later version
 #if CGAL_VERSION_NR < 1060100000

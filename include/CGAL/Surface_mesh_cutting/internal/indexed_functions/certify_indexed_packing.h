@@ -31,7 +31,7 @@ Indexed_status certify_indexed_packing(const Corner_table& chart, const std::vec
   const Indexed_status status = certify_corners(chart, corner_uv, parameters.do_bijective).status();
   if(!status)
     return status;
-  return Packing_certificate(chart, vertex_uvs(chart, corner_uv), parameters.margin).status();
+  return Packing_certificate(chart, vertex_uvs(chart, corner_uv), parameters.margin, parameters.most_pages).status();
 }
 
 } // namespace internal

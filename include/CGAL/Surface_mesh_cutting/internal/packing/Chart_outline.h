@@ -20,9 +20,11 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
+#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -66,6 +68,31 @@ inline std::vector<Eigen::Vector2d> convex_hull(const std::vector<Outline_segmen
   for(const Point_2& p : corners)
     hull.emplace_back(p.x(), p.y());
   return hull;
+}
+
+// The scale at which charts and half of the margin around each fill pages without a gap. What is around a chart has at least
+// the area that it has around a disk of that area (the inequality of Brunn and Minkowski), and what is around a convex one
+// has that of its perimeter.
+inline double largest_scale_of_areas(const std::vector<Chart_outline>& outlines, double margin, int pages)
+{
+  constexpr double rounding = 1e-9;
+  double area = 0, perimeter = 0;
+  for(const Chart_outline& outline : outlines)
+  {
+    double hull_area = 0, hull_perimeter = 0;
+    for(std::size_t i = 0; i < outline.hull.size(); ++i)
+    {
+      const Eigen::Vector2d &p = outline.hull[i], &q = outline.hull[(i + 1) % outline.hull.size()];
+      hull_area += 0.5 * (p.x() * q.y() - p.y() * q.x());
+      hull_perimeter += (q - p).norm();
+    }
+    const bool is_convex = outline.area > (1 - rounding) * hull_area;
+    area += outline.area;
+    perimeter += is_convex ? hull_perimeter : 2 * std::sqrt(CGAL_PI * outline.area);
+  }
+  const double linear = 0.25 * margin * perimeter, disks = 0.25 * margin * margin * CGAL_PI * double(outlines.size());
+  const double room = (std::max)(0., pages * (1 - margin) * (1 - margin) - disks);
+  return room / (linear + std::sqrt(linear * linear + area * room)); // the root of area * scale^2 + 2 * linear * scale = room
 }
 
 // One outline per part of `chart`, times `factor`. O(n log n).

@@ -17,18 +17,19 @@
 #include <CGAL/Surface_mesh_cutting/Chart_rotation.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Chart_boxes.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Grid_packing.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Off_grid_growth.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packed_charts.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Packing_strategies.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/chart_angles.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/Execution.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <optional>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -36,41 +37,61 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Packs charts into the unit square at the largest common scale that it finds.
+// What charts may be packed into, and up to which common scale.
+struct Page_demand
+{
+  int most_pages = 1;
+  double most_scale = std::numeric_limits<double>::infinity();
+};
+
+// Packs charts into the unit squares of pages at the largest common scale that it finds.
 //
 // The charts are drawn on a grid: a chart as the cells that it touches, its margin as the cells that are too close to
 // it. Where no chart touches the margin of another one, distances are kept for sure, and not only between cells. The
 // scale grows as long as one of several strategies finds places for all charts. Coarse grids are used first; after them,
-// still finer ones if there are many charts; up to a thousand then grow off any grid.
+// still finer ones if there are many charts; up to a thousand on one page then grow off any grid.
 class Chart_packer
 {
 public:
   // The sum of the areas of the outlines is about one. `margin`: between charts and to the border of the square.
   // `rotation` is a decided one. References are kept.
   Chart_packer(const std::vector<Chart_outline>& outlines, double margin, Effort effort, Chart_rotation rotation,
-               Execution execution, Run_control& control)
+               Execution execution, Run_control& control, const Page_demand& demand = {})
     : m_outlines(outlines), m_margin(margin), m_effort(effort), m_rotation(rotation), m_execution(execution),
-      m_control(control)
+      m_control(control), m_demand(demand)
   {}
 
   // None if no scale was found at which the margins leave room. A run that is ended keeps what it found first.
   std::optional<Packed_charts> pack()
   {
-    pack_on_grids();
-    return grow_off_grid();
+    pack_coarsely();
+    return refine();
   }
 
-  // At which some chart alone fills the square.
-  double largest_scale() const
+  // At the largest scale that is allowed, on as few pages as it finds; none if that is too large for some chart, or for
+  // so many pages.
+  std::optional<Packed_charts> pack_at_most_scale()
   {
-    double longest = 0;
-    for(const Chart_outline& outline : m_outlines)
-      longest = (std::max)(longest, smallest_square(outline));
-    return side() / longest;
+    m_control.report(Phase::PACK, 0);
+    if(!(m_demand.most_scale <= largest_scale()))
+      return std::nullopt;
+    if(m_outlines.size() == 1)
+      return pack_one();
+    choose_turns();
+    choose_strategies();
+    find_limit();
+    std::optional<Packed_charts> boxes = chart_boxes().pack_at(m_demand.most_scale);
+    if(boxes && boxes->number_of_pages() == 1)
+      return boxes;
+    try_scale(are_many() ? 4096 : 2048, m_demand.most_scale);
+    return m_best && !(boxes && boxes->number_of_pages() < m_best->number_of_pages()) ? m_best : boxes;
   }
 
-  // The first part, after which packings with different rotations can be compared.
-  std::optional<Packed_charts> pack_on_grids()
+  // At which some chart alone fills the square, or all of them would fill the pages without a gap.
+  double largest_scale() const { return (std::min)(side() / longest_side(), scale_of_areas()); }
+
+  // The first part, after which packings with different rotations can be compared: as boxes, and on a coarse grid.
+  std::optional<Packed_charts> pack_coarsely()
   {
     m_control.report(Phase::PACK, 0);
     if(!(side() > 0))
@@ -80,24 +101,30 @@ public:
     choose_turns();
     choose_strategies();
     find_limit();
-    // On the finest grid, charts of average size are some dozen cells wide; the time to place one grows with its cells.
-    const bool are_few = int(m_outlines.size()) <= several;
-    const int coarsest = are_many() ? 1024 : 512, finest = are_few ? 512 : are_many() ? 4096 : 1024;
-    if(!find_first(coarsest))
-      return std::nullopt;
-    for(int resolution = coarsest; resolution <= finest; resolution *= 2)
-    {
-      m_control.report(Phase::PACK, double(resolution) / (2 * finest)); // each grid takes about as long as all before
-      grow(resolution, resolution == coarsest ? 1.08 : 1.03, resolution < finest ? 1.02 : 1.004);
-      m_strategies.resize((std::min)(m_strategies.size(), strategies_on_fine_grids));
-    }
-    return m_best;
+    Chart_boxes boxes = chart_boxes();
+    m_boxes = boxes.pack(m_limit, m_control);
+    m_are_done = m_boxes && are_boxes_enough(boxes, m_boxes->scale);
+    if(m_are_done)
+      return m_best = m_boxes;
+    if(find_first(coarsest()))
+      grow(coarsest(), 1.08, coarsest() < finest() ? 1.02 : 1.004, true);
+    return m_best ? m_best : m_boxes;
   }
 
-  // The second part.
-  std::optional<Packed_charts> grow_off_grid()
+  // The second part: on finer grids, and off any grid.
+  std::optional<Packed_charts> refine()
   {
-    if(m_best && m_outlines.size() > 1 && !are_many())
+    if(m_are_done || m_outlines.size() == 1)
+      return m_best;
+    for(int resolution = 2 * coarsest(); m_best && resolution <= finest(); resolution *= 2)
+    {
+      m_strategies.resize((std::min)(m_strategies.size(), strategies_on_fine_grids));
+      m_control.report(Phase::PACK, double(resolution) / (2 * finest())); // each grid takes about as long as all before
+      grow(resolution, 1.03, resolution < finest() ? 1.02 : 1.004, false);
+    }
+    if(m_boxes && !(m_best && m_best->scale > m_boxes->scale))
+      m_best = m_boxes;
+    if(m_best && m_demand.most_pages == 1 && !are_many())
       push_apart();
     return m_best;
   }
@@ -107,6 +134,15 @@ private:
   static constexpr std::size_t strategies_on_fine_grids = 2;
 
   bool are_many() const { return int(m_outlines.size()) > many; }
+
+  // Cells along a side. On the finest grid, charts of average size are some dozen cells wide; the time to place one grows with
+  // its cells.
+  int coarsest() const { return are_many() ? 1024 : 512; }
+  int finest() const
+  {
+    const bool are_few = int(m_outlines.size()) <= several && m_demand.most_pages == 1;
+    return are_few ? 512 : are_many() ? 4096 : 1024;
+  }
 
   // The turn, of those allowed, after which the smallest square around the chart is smallest.
   double smallest_angle(const Chart_outline& outline) const
@@ -120,6 +156,33 @@ private:
     return outline.extent(smallest_angle(outline)).maxCoeff();
   }
 
+  double longest_side() const
+  {
+    double longest = 0;
+    for(const Chart_outline& outline : m_outlines)
+      longest = (std::max)(longest, smallest_square(outline));
+    return longest;
+  }
+
+  double scale_of_areas() const { return largest_scale_of_areas(m_outlines, m_margin, m_demand.most_pages); }
+
+  Chart_boxes chart_boxes() const
+  {
+    std::vector<double> angles;
+    for(const Chart_outline& outline : m_outlines)
+      angles.push_back(m_rotation == Chart_rotation::NONE ? 0 : alignment_angle(outline));
+    return Chart_boxes(m_outlines, std::move(angles), m_rotation != Chart_rotation::NONE, m_margin, m_demand.most_pages);
+  }
+
+  // Whether it is not worth while to look for anything better than packed boxes. Where they leave much room, a few turned
+  // squares may be better.
+  bool are_boxes_enough(const Chart_boxes& boxes, double scale) const
+  {
+    constexpr double good_share = 0.8; // of the area that any packing can fill
+    const double share = scale / m_limit;
+    return share * share >= good_share || (boxes.are_full() && m_rotation != Chart_rotation::ANY);
+  }
+
   // Of the square inside of the margin.
   double side() const { return 1 - 2 * m_margin; }
 
@@ -131,7 +194,7 @@ private:
     packed.motions.resize(1);
     Chart_motion& motion = packed.motions.front();
     motion.angle = smallest_angle(outline);
-    packed.scale = side() * (1 - rounding) / outline.extent(motion.angle).maxCoeff();
+    packed.scale = (std::min)(side() * (1 - rounding) / outline.extent(motion.angle).maxCoeff(), m_demand.most_scale);
     const double c = std::cos(motion.angle), s = std::sin(motion.angle);
     Surface_mesh_parameterization::internal::Bounding_box<2> box;
     for(const Eigen::Vector2d& p : outline.hull)
@@ -165,51 +228,19 @@ private:
 
   void choose_strategies()
   {
-    const auto sorted = [&](auto size_of)
-    {
-      std::vector<double> sizes;
-      for(const Chart_outline& outline : m_outlines)
-        sizes.push_back(size_of(outline));
-      std::vector<int> order(m_outlines.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sizes[a] > sizes[b]; });
-      return order;
-    };
-    const std::vector<int> by_area = sorted([](const Chart_outline& o) { return o.area; });
-    const std::vector<int> by_box = sorted([](const Chart_outline& o) { return o.extent(smallest_box_angle(o)).prod(); });
-    const std::vector<int> by_length
-      = sorted([](const Chart_outline& o) { return o.extent(smallest_box_angle(o)).maxCoeff(); });
-    for(const std::vector<int>* order : {&by_area, &by_box, &by_length})
-      for(const double height_share : {1., 0.5})
-        m_strategies.push_back({*order, height_share});
-    if(are_many())
-      m_strategies.resize(2);
-    else if(int(m_outlines.size()) <= several && m_effort != Effort::FAST)
-      add_shuffled(by_box);
+    const bool has_shuffled = int(m_outlines.size()) <= several && m_effort != Effort::FAST;
+    m_strategies = Packing_strategies(m_outlines, are_many(), has_shuffled).take();
   }
 
-  // Orders in which neighbors changed places.
-  void add_shuffled(const std::vector<int>& order)
-  {
-    std::minstd_rand random; // the same everywhere
-    for(int round = 0; round < 10; ++round)
-    {
-      std::vector<int> shuffled = order;
-      for(std::size_t i = 0; i + 1 < shuffled.size(); ++i)
-        if(random() % 2 == 0)
-          std::swap(shuffled[i], shuffled[i + 1]);
-      m_strategies.push_back({shuffled, round % 2 == 0 ? 1. : 0.5});
-    }
-  }
-
-  // The scale at which a single chart fills the square; that chart may lie as it has to then.
+  // Of the scale. The chart that fills the square first may lie as it has to then.
   void find_limit()
   {
-    m_limit = largest_scale();
+    m_limit = (std::min)(largest_scale(), m_demand.most_scale);
     if(m_rotation != Chart_rotation::ANY)
       return;
+    const double longest = longest_side();
     std::size_t limiting = 0;
-    while(side() / smallest_square(m_outlines[limiting]) > m_limit)
+    while(smallest_square(m_outlines[limiting]) < longest)
       ++limiting;
     for(int quarters = 0; quarters < 2; ++quarters)
       m_turns[limiting].push_back(tightest_square_angle(m_outlines[limiting]) + quarters * CGAL_PI / 2);
@@ -244,18 +275,27 @@ private:
         perimeter += (outline.hull[(i + 1) % outline.hull.size()] - outline.hull[i]).norm();
     }
     const double linear = 0.25 * m_margin * perimeter, disks = 0.25 * m_margin * m_margin * CGAL_PI * double(m_outlines.size());
-    const double room = hopeful_fill * (side() + m_margin) * (side() + m_margin) - disks;
+    const double room = hopeful_fill * m_demand.most_pages * (side() + m_margin) * (side() + m_margin) - disks;
     // The root of area * scale^2 + 2 * linear * scale = room.
     const double scale = room > 0 ? room / (linear + std::sqrt(linear * linear + area * room)) : side() * std::sqrt(hopeful_fill / area);
     return (std::min)(m_limit, scale);
   }
 
-  // Scales up by `factor` as long as that succeeds, then by less, until steps are below `finest`.
-  void grow(int resolution, double factor, double finest)
+  // Scales up by `factor`, while that succeeds again and again if it `does_repeat`, and then by less, until steps are below
+  // `finest`.
+  void grow(int resolution, double factor, double finest, bool does_repeat)
   {
+    double failed = 0;
     while(factor > finest && m_control.go_further())
-      if(m_best->scale * factor > m_limit || !try_scale(resolution, m_best->scale * factor))
+    {
+      const double scale = m_best->scale * factor;
+      const bool is_known = std::abs(scale - failed) < 1e-9 * scale;
+      const bool is_larger = scale <= m_limit && !is_known && try_scale(resolution, scale);
+      if(!is_larger)
+        failed = scale;
+      if(!is_larger || !does_repeat)
         factor = std::sqrt(factor);
+    }
   }
 
   // The charts leave the grid.
@@ -271,7 +311,7 @@ private:
     m_best = Off_grid_growth(charts, m_margin, m_limit, m_effort, m_control).grow(std::move(*m_best));
   }
 
-  // The first strategy that succeeds counts; those that fail where others succeed are given up.
+  // The first strategy that succeeds with the fewest pages counts; those that fail where others succeed are given up.
   bool try_scale(int resolution, double scale)
   {
     const int size = int(std::floor(side() * resolution));
@@ -286,18 +326,21 @@ private:
     execute(m_execution, int(m_strategies.size()), [&](int i)
     {
       if(go_further())
-        found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i], go_further);
+        found[i] = Grid_packing(masks, m_outlines, size).pack(m_strategies[i], m_demand.most_pages, go_further);
     });
     std::vector<Packing_strategy> successful;
+    std::optional<Packed_charts> best; // on the fewest pages
     for(std::size_t i = 0; i < found.size(); ++i)
       if(found[i])
       {
-        if(successful.empty())
-          m_best = to_motions(*found[i], masks, resolution, scale);
+        Packed_charts packed = to_motions(*found[i], masks, resolution, scale);
+        if(!best || packed.number_of_pages() < best->number_of_pages())
+          best = std::move(packed);
         successful.push_back(std::move(m_strategies[i]));
       }
-    if(successful.empty())
+    if(!best)
       return false;
+    m_best = std::move(best);
     m_strategies = std::move(successful);
     return true;
   }
@@ -312,7 +355,7 @@ private:
       const Grid_place& place = places[i];
       const Chart_mask& mask = masks[i][place.mask];
       const Eigen::Vector2d origin = mask.origin + Eigen::Vector2d(place.cell.x, place.cell.y);
-      packed.motions.push_back({mask.angle, Eigen::Vector2d::Constant(m_margin) + origin / resolution});
+      packed.motions.push_back({mask.angle, Eigen::Vector2d::Constant(m_margin) + origin / resolution, place.page});
     }
     return packed;
   }
@@ -323,9 +366,12 @@ private:
   const Chart_rotation m_rotation;
   const Execution m_execution;
   Run_control& m_control;
+  const Page_demand m_demand;
   std::vector<std::vector<double> > m_turns; // angles
   std::vector<Packing_strategy> m_strategies;
   double m_limit = 0; // of the scale
+  std::optional<Packed_charts> m_boxes;
+  bool m_are_done = false; // as boxes
   std::optional<Packed_charts> m_best;
 };
 

@@ -36,15 +36,22 @@ struct Cell { int x, y; };
 class Free_cells
 {
 public:
-  explicit Free_cells(int size)
+  // `longest`: the most cells of a run of any chart.
+  Free_cells(int size, int longest)
     : m_size(size), m_words((size + 63) / 64), m_longest_gaps(size, size), m_blocked(m_words)
   {
-    while((1 << m_levels) <= size)
+    while((1 << m_levels) <= longest)
       ++m_levels;
     m_bits.assign(std::size_t(m_levels) * size * stride(), 0);
   }
 
   int size() const { return m_size; }
+
+  void clear()
+  {
+    std::fill(m_bits.begin(), m_bits.end(), 0);
+    std::fill(m_longest_gaps.begin(), m_longest_gaps.end(), m_size);
+  }
 
   // The leftmost place in the lowest row from `begin` on, but before `end`, where the chart touches no taken cell.
   std::optional<Cell> lowest_place(const Chart_mask& mask, int begin, int end)
@@ -64,7 +71,7 @@ public:
   // Takes what is too close to the chart.
   void take(const Chart_mask& mask, const Cell& place)
   {
-    int last_row = -1;
+    int last_row = -1, low = m_size, high = -1; // of the row
     for(const Cell_run& run : mask.outer)
     {
       const int y = run.row + place.y;
@@ -72,14 +79,20 @@ public:
       if(y < 0 || y >= m_size || first > last)
         continue;
       if(last_row >= 0 && last_row != y)
-        update(last_row);
+      {
+        update(last_row, low, high);
+        low = m_size;
+        high = -1;
+      }
       last_row = y;
+      low = (std::min)(low, first);
+      high = (std::max)(high, last);
       std::uint64_t* const bits = row(0, y);
       for(int word = first / 64; word <= last / 64; ++word)
         bits[word] |= ones(first - 64 * word, last - 64 * word);
     }
     if(last_row >= 0)
-      update(last_row);
+      update(last_row, low, high);
   }
 
 private:
@@ -94,12 +107,19 @@ private:
     return (first > 0 ? all << first : all) & (last < 63 ? ~(all << (last + 1)) : all);
   }
 
-  void update(int y)
+  // Where cells from `low` to `high` are newly taken.
+  void update(int y, int low, int high)
   {
     for(int level = 1; level < m_levels; ++level)
     {
-      std::copy_n(row(level - 1, y), m_words, row(level, y));
-      add_shifted(row(level - 1, y), 1 << (level - 1), row(level, y));
+      const int shift = 1 << (level - 1), words = shift / 64, bits = shift % 64, end = high / 64 + 1;
+      const std::uint64_t* const source = row(level - 1, y);
+      std::uint64_t* const target = row(level, y);
+      for(int i = (std::max)(0, low - 2 * shift + 1) / 64; i < end; ++i)
+      {
+        const int j = i + words;
+        target[i] = source[i] | (j < m_words ? source[j] >> bits | source[j + 1] << 1 << (63 - bits) : 0);
+      }
     }
     m_longest_gaps[y] = longest_gap(row(0, y));
   }

@@ -34,11 +34,12 @@ using CGAL::internal::Graph_kernel::execute;
 using CGAL::internal::Graph_kernel::Go_further;
 using CGAL::internal::Graph_kernel::always_go_further;
 
-// Where a chart lies on the grid, and as which of its masks.
+// Where a chart lies on the grid of a page, and as which of its masks.
 struct Grid_place
 {
   int mask;
   Cell cell;
+  int page = 0;
 };
 
 // A way to pack: the charts one after the other, each with the turn and at the place that is lowest.
@@ -68,34 +69,63 @@ inline std::vector<Chart_masks> chart_masks(Execution execution, const std::vect
   return masks;
 }
 
-// Fills a grid with charts. Many charts of similar size are not tried again where the ones before found no place.
+// Fills one grid after the other with charts, which leaves each chart on the first one with a place for it. Many charts of similar size are not tried again where the ones before found no place.
 class Grid_packing
 {
 public:
   Grid_packing(const std::vector<Chart_masks>& masks, const std::vector<Chart_outline>& outlines, int size)
-    : m_masks(masks), m_outlines(outlines), m_free(size)
+    : m_masks(masks), m_outlines(outlines), m_free(size, longest_run(masks))
   {}
 
-  // None if a chart finds no place, or once `go_further()` does not want more.
-  std::optional<std::vector<Grid_place> > pack(const Packing_strategy& strategy,
+  // None if a chart finds no place on `most_pages` grids, or once `go_further()` does not want more.
+  std::optional<std::vector<Grid_place> > pack(const Packing_strategy& strategy, int most_pages = 1,
                                                const Go_further& go_further = always_go_further)
   {
     std::vector<Grid_place> places(m_masks.size());
-    for(const int i : strategy.order)
+    std::vector<int> charts = strategy.order, left;
+    for(int page = 0; page < most_pages; ++page)
     {
-      if(!go_further())
+      const bool is_last = page + 1 == most_pages;
+      for(const int i : charts)
+      {
+        if(!go_further())
+          return std::nullopt;
+        const std::optional<Grid_place> place = best_place(i, strategy.height_share);
+        if(!place && is_last)
+          return std::nullopt;
+        if(!place)
+          left.push_back(i);
+        else
+        {
+          places[i] = {place->mask, place->cell, page};
+          m_free.take(m_masks[i][place->mask], place->cell);
+        }
+      }
+      if(left.empty())
+        return places;
+      if(left.size() == charts.size()) // each is larger than a page
         return std::nullopt;
-      const std::optional<Grid_place> place = best_place(i, strategy.height_share);
-      if(!place)
-        return std::nullopt;
-      places[i] = *place;
-      m_free.take(m_masks[i][place->mask], place->cell);
+      charts.swap(left);
+      left.clear();
+      m_free.clear();
+      m_area = 0;
+      m_begins.clear();
     }
-    return places;
+    return std::nullopt;
   }
 
 private:
   static constexpr int few = 500; // charts; below, all places are tried
+
+  static int longest_run(const std::vector<Chart_masks>& masks)
+  {
+    int longest = 1;
+    for(const Chart_masks& turned : masks)
+      for(const Chart_mask& mask : turned)
+        if(!mask.inner.empty())
+          longest = (std::max)(longest, mask.inner.front().length());
+    return longest;
+  }
 
   std::optional<Grid_place> best_place(int i, double height_share)
   {

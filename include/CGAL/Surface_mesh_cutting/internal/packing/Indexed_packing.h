@@ -34,6 +34,9 @@ struct Packing_parameters
   bool do_bijective; // whether it is also to be proven that no chart overlaps itself
   Effort effort = Effort::DEFAULT;
   Chart_rotation rotation = Chart_rotation::AUTOMATIC;
+  int most_pages = 1;         // at a given scale, 0 stands for as many as are needed
+  double texels_per_unit = 0; // of the former UVs; 0 for as many as fit
+  bool allow_flips = false;   // charts may be mirrored or folded, and stay so
 };
 
 // What packing found, in terms of the indexed chart.
@@ -43,7 +46,8 @@ struct Indexed_packing
   bool has_result = false;
   std::vector<Eigen::Vector2d> uv; // of chart vertices
   double scale = 0;                // from the former UVs
-  double fill = 0;                 // area of the charts
+  double fill = 0;                 // mean of those of the pages
+  std::vector<double> page_fills;  // area of the charts on each one
   int number_of_charts = 0;
 };
 

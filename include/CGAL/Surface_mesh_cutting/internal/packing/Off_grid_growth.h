@@ -45,7 +45,14 @@ public:
   Off_grid_growth(const std::vector<Rigid_chart>& charts, double margin, double limit, Effort effort, Run_control& control)
     : m_charts(charts), m_margin(margin), m_limit(limit), m_effort(effort), m_control(control), m_separator(charts),
       m_joint_growth(charts, control), m_random(0)
-  {}
+  {
+    for(int i = 0; i < int(charts.size()); ++i)
+    {
+      m_kinds.push_back(0);
+      while(!are_alike(charts[m_kinds.back()], charts[i]))
+        ++m_kinds.back();
+    }
+  }
 
   Packed_charts grow(Packed_charts packed)
   {
@@ -92,6 +99,8 @@ private:
       else
       {
         is_stuck = factor == finest;
+        if(is_stuck && !has_kinds())
+          return;
         factor = (std::max)(finest, std::sqrt(factor));
       }
     }
@@ -140,12 +149,23 @@ private:
     return motions;
   }
 
-  // The larger one of two charts takes the place of any other one: large charts decide what is possible.
+  // As far as it is known without a comparison of their outlines.
+  static bool are_alike(const Rigid_chart& chart, const Rigid_chart& other)
+  {
+    return std::abs(chart.radius - other.radius) <= tolerance && chart.outline.size() == other.outline.size() &&
+           std::abs(chart.perimeter - other.perimeter) <= tolerance;
+  }
+
+  bool has_kinds() const { return *std::max_element(m_kinds.begin(), m_kinds.end()) > 0; }
+
+  // The larger one of two charts takes the place of any other one of another kind: large charts decide what is possible.
   void swap_two(std::vector<Rigid_motion>& motions)
   {
     const int number = int(m_charts.size()), first = m_random.below(number), second = m_random.below(number);
     const int i = m_charts[first].radius > m_charts[second].radius ? first : second;
-    const int j = (i + 1 + m_random.below(number - 1)) % number;
+    int j = (i + 1 + m_random.below(number - 1)) % number;
+    while(m_kinds[i] == m_kinds[j])
+      j = (j + 1) % number;
     const Rigid_motion former = motions[i];
     motions[i] = Rigid_motion(former.angle(), motions[j].translation());
     motions[j] = Rigid_motion(motions[j].angle(), former.translation());
@@ -159,6 +179,7 @@ private:
   Joint_growth m_joint_growth;
   Packing_random m_random;
   double m_scale = 0;
+  std::vector<int> m_kinds;            // of charts: the first chart that is alike
   std::vector<Rigid_motion> m_motions; // in the room at that scale
 };
 

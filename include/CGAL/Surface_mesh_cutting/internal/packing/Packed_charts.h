@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -27,12 +28,21 @@ struct Chart_motion
 {
   double angle = 0;
   Eigen::Vector2d translation = Eigen::Vector2d::Zero();
+  int page = 0; // to whose square this is relative
 };
 
 struct Packed_charts
 {
   double scale = 0;
   std::vector<Chart_motion> motions;
+
+  int number_of_pages() const
+  {
+    int number = 0;
+    for(const Chart_motion& motion : motions)
+      number = (std::max)(number, motion.page + 1);
+    return number;
+  }
 };
 
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packing_margin.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Page_tile.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/bijective/Border_overlaps.h>
@@ -40,15 +41,17 @@ namespace internal {
 
 using Surface_mesh_parameterization::internal::Connected_parts;
 using Surface_mesh_parameterization::internal::Corner_table;
+using Surface_mesh_parameterization::internal::Triangle;
 
-// Proves that charts lie in the unit square and apart: no chart on another one, all distances at least the margin.
+// Proves that each chart lies on a page, and all apart: no chart on another one, all distances at least the margin.
 // What decides is exact, numbers of type `double` only sort out the clear cases.
 class Packing_certificate
 {
 public:
   // `uv` is finite and without flips. O(n log n) for borders that have few neighbors.
-  Packing_certificate(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv, const Packing_margin& margin)
-    : m_chart(chart), m_parts(chart.opposites()), m_uv(uv), m_margin(margin)
+  Packing_certificate(const Corner_table& chart, const std::vector<Eigen::Vector2d>& uv, const Packing_margin& margin,
+                      int number_of_pages = 1)
+    : m_chart(chart), m_parts(chart.opposites()), m_uv(uv), m_margin(margin), m_number_of_pages(number_of_pages)
   {
     find_outside();
     find_close();
@@ -80,25 +83,43 @@ private:
   const Eigen::Vector2d& source(int h) const { return m_uv[m_chart.source(h)]; }
   const Eigen::Vector2d& target(int h) const { return m_uv[m_chart.target(h)]; }
 
-  bool is_inside(double coordinate) const
+  // From `begin`, one side of a page long.
+  bool is_inside(double coordinate, double begin) const
   {
-    const double distance = (std::min)(coordinate, 1 - coordinate);
+    const double distance = (std::min)(coordinate - begin, begin + 1 - coordinate);
     if(distance > m_margin.distance() + doubt)
       return true;
-    const Number texels = Number(coordinate) * m_margin.texture_size, margin = m_margin.texels;
+    const Number texels = (Number(coordinate) - begin) * m_margin.texture_size, margin = m_margin.texels;
     return texels >= margin && m_margin.texture_size - texels >= margin;
+  }
+
+  // Of the page at the middle of each part.
+  std::vector<int> pages_of_parts() const
+  {
+    std::vector<Surface_mesh_parameterization::internal::Bounding_box<2> > boxes(m_parts.number);
+    for(int f = 0; f < m_chart.number_of_triangles(); ++f)
+      for(const int v : m_chart.triangles()[f])
+        boxes[m_parts.part[f]].add(m_uv[v]);
+    std::vector<int> pages;
+    for(const auto& box : boxes)
+      pages.push_back(page_at(0.5 * (box.low + box.high)));
+    return pages;
   }
 
   void find_outside()
   {
+    const std::vector<int> pages = pages_of_parts();
     for(int f = 0; f < m_chart.number_of_triangles(); ++f)
-      for(const int v : m_chart.triangles()[f])
-        if(!(is_inside(m_uv[v].x()) && is_inside(m_uv[v].y())))
-        {
-          ++m_outside;
-          m_faces.push_back(f);
-          break;
-        }
+    {
+      const int page = pages[m_parts.part[f]];
+      const Eigen::Vector2d corner = corner_of_page((std::max)(page, 0));
+      const Triangle& t = m_chart.triangles()[f];
+      const auto is_on_page = [&](int v) { return is_inside(m_uv[v].x(), corner.x()) && is_inside(m_uv[v].y(), corner.y()); };
+      if(page >= 0 && page < m_number_of_pages && std::all_of(t.begin(), t.end(), is_on_page))
+        continue;
+      ++m_outside;
+      m_faces.push_back(f);
+    }
   }
 
   static double squared_distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
@@ -208,6 +229,7 @@ private:
   const Connected_parts m_parts;
   const std::vector<Eigen::Vector2d>& m_uv;
   const Packing_margin m_margin;
+  const int m_number_of_pages;
   int m_outside = 0, m_too_close = 0, m_overlaps = 0;
   std::vector<int> m_faces;
 };

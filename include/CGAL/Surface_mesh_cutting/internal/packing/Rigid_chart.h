@@ -55,6 +55,7 @@ struct Rigid_chart
   std::vector<Eigen::Vector2d> samples; // of the outline, all corners among them that can be closest to another chart
   std::vector<Sample_block> blocks;     // of samples
   double radius = 0;                    // of a circle around the origin
+  double perimeter = 0;
   Chart_rotation rotation;
 
   // `reach`: up to which distance the field is asked for.
@@ -62,7 +63,6 @@ struct Rigid_chart
     : outline(std::move(segments)), field(outline, reach), rotation(rotation)
   {
     constexpr double samples_between_corners = 30;
-    double perimeter = 0;
     for(const Outline_segment& s : outline)
       perimeter += (s.target - s.source).norm();
     const double spacing = perimeter / samples_between_corners;
