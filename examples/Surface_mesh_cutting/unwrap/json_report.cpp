@@ -77,6 +77,17 @@ Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Distortion_measures
           {"overlaps", to_json(measures->overlaps)}};
 }
 
+Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Seam_measures>& measures)
+{
+  if(!measures)
+    return nullptr;
+  return {{"jaggedness", to_json(measures->jaggedness)},
+          {"compactness", number(measures->compactness)},
+          {"convexity", number(measures->convexity)},
+          {"on_hard_edges", to_json(measures->on_hard_edges)},
+          {"hidden", to_json(measures->hidden)}};
+}
+
 double peak_memory_in_megabytes()
 {
   rusage usage = {};
@@ -130,6 +141,7 @@ std::string to_json(const Outcome& outcome)
     {"uv_scale", to_json(outcome.uv_scale)},
     {"fill", to_json(outcome.fill)},
     {"distortion", to_json(outcome.distortion)},
+    {"seams", to_json(outcome.seams)},
     {"tradeoff", outcome.trade_offs},
     {"seconds", to_json(outcome.seconds)},
     {"cpu_seconds", to_json(outcome.cpu_seconds)},

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/coincident_vertices_warning.h>
+#include <CGAL/Surface_mesh_cutting/seam_report.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
@@ -276,7 +277,10 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
   execute_both(execution, [&] { place_uv_vertices(surface, uvs, layout); }, [&]
   {
     if(!options.json.empty() || !options.html.empty())
+    {
       outcome.distortion = SMC::distortion_report(mesh, is_cut, uvs);
+      outcome.seams = SMC::seam_report<CGAL::Parallel_if_available_tag>(mesh, is_cut, uvs);
+    }
   });
   std::vector<int>& features = layout.feature_points;
   for(const Vertex v : result.feature_points)

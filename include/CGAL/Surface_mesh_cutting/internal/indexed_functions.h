@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
+#include <CGAL/Surface_mesh_cutting/Seam_measures.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Indexed_packing.h>
@@ -83,6 +84,11 @@ Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<
 CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status measure_indexed_map(const Indexed_mesh& mesh, const Cut& cut,
                                    const std::vector<Eigen::Vector2d>& corner_uv, Distortion_measures& measures);
+
+// The measures of its seams, or why there are none.
+CGAL_INLINE_UNLESS_SEPARATE
+Indexed_status measure_indexed_seams(const Indexed_mesh& mesh, const Cut& cut, const std::vector<Eigen::Vector2d>& corner_uv,
+                                     Execution execution, Seam_measures& measures);
 
 // Moves the parts of a chart into the unit square. `round`: what becomes of a UV when it is handed out and read back.
 CGAL_INLINE_UNLESS_SEPARATE
