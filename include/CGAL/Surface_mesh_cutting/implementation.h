@@ -41,6 +41,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/find_indexed_symmetries.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/measure_indexed_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/measure_indexed_seams.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/mesh_warnings.h>

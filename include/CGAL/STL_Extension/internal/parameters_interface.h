@@ -48,6 +48,7 @@ CGAL_add_named_parameter(occlusion_radius_t, occlusion_radius, occlusion_radius)
 CGAL_add_named_parameter(margin_t, margin, margin)
 CGAL_add_named_parameter(texture_size_t, texture_size, texture_size)
 CGAL_add_named_parameter(chart_rotation_t, chart_rotation, chart_rotation)
+CGAL_add_named_parameter(symmetry_t, symmetry, symmetry)
 
 // Names that CGAL itself has only since a later version
 #if CGAL_VERSION_NR < 1060100000

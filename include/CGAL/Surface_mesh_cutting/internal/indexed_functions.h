@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
 #include <CGAL/Surface_mesh_cutting/Seam_measures.h>
+#include <CGAL/Surface_mesh_cutting/Symmetry.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Indexed_packing.h>
@@ -28,6 +29,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/Indexed_symmetry.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
@@ -68,6 +70,11 @@ CGAL_INLINE_UNLESS_SEPARATE
 Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                              const Cutting_constraints& constraints, const Context& context);
+
+// The symmetries of a mesh of which `diagonals` are no edges (empty: all are), from good to bad. The first one may be none.
+CGAL_INLINE_UNLESS_SEPARATE
+std::vector<Indexed_symmetry> find_indexed_symmetries(const Indexed_mesh& mesh, const Cut& diagonals, Symmetry choice,
+                                                      Execution execution);
 
 // Cuts the handles and then connects borders and terminals. The weight and its bound include those
 // of the mandatory edges.
