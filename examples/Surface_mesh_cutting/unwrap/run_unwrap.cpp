@@ -197,6 +197,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .random_seed(options.seed)
       .effort(SMC::internal::effort_of(options.effort))
       .use_published_method(options.is_faithful)
+      .seam_smoothness(options.seam_smoothness)
       .do_bijective(is_injective(options))
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
       .maximum_average_distortion(options.maximum_average_distortion.value_or(std::numeric_limits<double>::infinity()))

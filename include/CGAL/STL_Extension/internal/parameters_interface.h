@@ -49,6 +49,7 @@ CGAL_add_named_parameter(margin_t, margin, margin)
 CGAL_add_named_parameter(texture_size_t, texture_size, texture_size)
 CGAL_add_named_parameter(chart_rotation_t, chart_rotation, chart_rotation)
 CGAL_add_named_parameter(symmetry_t, symmetry, symmetry)
+CGAL_add_named_parameter(seam_smoothness_t, seam_smoothness, seam_smoothness)
 
 // Names that CGAL itself has only since a later version
 #if CGAL_VERSION_NR < 1060100000

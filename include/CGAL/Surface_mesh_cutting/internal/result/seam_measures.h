@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/Seam_measures.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/Key_paths.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_outline.h>
+#include <CGAL/Surface_mesh_cutting/internal/connection/turnings_along.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Turning.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Visibility.h>
@@ -33,22 +34,6 @@
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
-
-// The turnings of a way at its inner vertices.
-inline std::vector<double> turnings_along(const Indexed_mesh& mesh, const Turning& turning, const Key_paths::Path& path)
-{
-  std::vector<double> result;
-  int v = path.source, in = -1;
-  for(int e : path.edges)
-  {
-    const int out = turning.halfedge_from(e, v);
-    if(in >= 0)
-      result.push_back(turning(in, out));
-    in = out;
-    v = mesh.target(out);
-  }
-  return result;
-}
 
 // What a way turns beyond the smoothest one nearby: that turns in each place by the mean of what is around it, so that left
 // and right cancel out, and a bend remains.

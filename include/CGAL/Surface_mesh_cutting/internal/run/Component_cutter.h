@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Race.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/early_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/straightening/Seam_straightener.h>
 
 #include <algorithm>
 #include <utility>
@@ -74,7 +75,9 @@ public:
     }
     if(m_problem.initial.is_given())
       add_given_cut(results);
-    return best_of(results);
+    Component_result best = best_of(results);
+    Seam_straightener(m_problem, m_context, best).run();
+    return best;
   }
 
   // What is returned of a stopped run that found no map, or no cut if that is what is asked for.
