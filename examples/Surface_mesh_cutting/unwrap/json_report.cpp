@@ -88,6 +88,13 @@ Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Seam_measures>& mea
           {"hidden", to_json(measures->hidden)}};
 }
 
+Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Reflection_plane>& plane)
+{
+  if(!plane)
+    return nullptr;
+  return {{"normal", plane->normal}, {"offset", plane->offset}, {"matched", plane->matched}};
+}
+
 double peak_memory_in_megabytes()
 {
   rusage usage = {};
@@ -142,6 +149,7 @@ std::string to_json(const Outcome& outcome)
     {"fill", to_json(outcome.fill)},
     {"distortion", to_json(outcome.distortion)},
     {"seams", to_json(outcome.seams)},
+    {"symmetry", to_json(outcome.symmetry)},
     {"tradeoff", outcome.trade_offs},
     {"seconds", to_json(outcome.seconds)},
     {"cpu_seconds", to_json(outcome.cpu_seconds)},

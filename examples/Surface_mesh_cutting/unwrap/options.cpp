@@ -95,6 +95,9 @@ void add_method_options(CLI::App& app, Options& options)
     ->group(group);
   app.add_flag("--bijective", options.is_bijective, "No two parts of the layout overlap: the default, but for --faithful")
     ->excludes("--allow-overlap")->group(group);
+  add_choice(app, "--symmetry", options.symmetry,
+             "Cut symmetric objects symmetrically: at the best plane of\nsymmetry, or at one across an axis, wherever it lies",
+             {"auto", "off", "x", "y", "z"})->group(group);
   add_number<double>(app, "--seam-smoothness", options.seam_smoothness,
                      "Percent by which seams may get longer to be straighter", 0, 100)
     ->type_name("S")->default_str("1; 0 if --effort fast or --faithful")->group(group);

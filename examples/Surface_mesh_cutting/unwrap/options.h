@@ -32,6 +32,7 @@ struct Options
 
   std::string effort = "default"; // fast, default, best
   bool is_faithful = false;
+  std::string symmetry = "off"; // auto, off, x, y, z
   std::optional<double> seam_smoothness;
   std::optional<std::string> connect; // mst, sph, greedy, exact, best
   bool is_bijective = false, may_overlap = false;

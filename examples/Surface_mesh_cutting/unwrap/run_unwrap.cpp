@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/coincident_vertices_warning.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/symmetry_of.h>
 #include <CGAL/Surface_mesh_cutting/seam_report.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
@@ -144,6 +145,7 @@ void tell(const Result& result, const Surface& surface, const Polygon_soup& soup
   outcome.components = result.components;
   outcome.genus = result.genus;
   outcome.borders = result.borders;
+  outcome.symmetry = result.symmetry;
   outcome.seconds = phase_seconds(result.seconds);
   outcome.cpu_seconds = phase_seconds(result.cpu_seconds);
   outcome.factorized_unknowns = result.factorized_unknowns;
@@ -197,6 +199,7 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .random_seed(options.seed)
       .effort(SMC::internal::effort_of(options.effort))
       .use_published_method(options.is_faithful)
+      .symmetry(SMC::internal::symmetry_of(options.symmetry))
       .seam_smoothness(options.seam_smoothness)
       .do_bijective(is_injective(options))
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))

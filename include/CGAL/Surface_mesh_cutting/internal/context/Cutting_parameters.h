@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/Symmetry.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
@@ -55,6 +56,7 @@ struct Cutting_parameters
   // Whether the final map of a component has to be injective, too.
   bool do_bijective = false;
   std::optional<double> seam_smoothness; // percent by which ways may get longer to turn less
+  Symmetry symmetry = Symmetry::NONE; // that the cut has as well, if the surface has it
   Effort effort = Effort::DEFAULT;     // the best one also runs the smaller ones
   std::optional<int> given_coarse_number_of_faces; // by the caller
   // How the feature points are connected; its decrease is epsilon_len as a length.

@@ -64,6 +64,7 @@ Cutting_parameters read_cutting_parameters(const NamedParameters& np)
   read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
   read(get_parameter(np, internal_np::use_published_method), p.use_published_method);
   read(get_parameter(np, internal_np::do_bijective), p.do_bijective);
+  read(get_parameter(np, internal_np::symmetry), p.symmetry);
   read(get_parameter(np, internal_np::seam_smoothness), p.seam_smoothness);
   read(get_parameter(np, internal_np::random_seed), p.random_seed);
   // The paper's maps cost ten times as much as spectral ones and lead to cuts of the same quality.
