@@ -95,6 +95,10 @@ def prepare(surface, settings, threads, folder):
         arguments.append("--stack")
     if settings.limits_stretch:
         arguments += ["--max-distortion", _number(energy_of(settings.stretch))]
+    if settings.symmetry != 'off':
+        arguments += ["--symmetry", settings.symmetry]
+    if settings.seam_smoothness != 1:  # otherwise, the program knows which efforts take the time
+        arguments += ["--seam-smoothness", _number(settings.seam_smoothness)]
     if settings.may_overlap:
         arguments.append("--allow-overlap")
     if settings.time_limit > 0:

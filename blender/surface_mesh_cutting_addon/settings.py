@@ -47,6 +47,16 @@ class UnwrapSettings:
         name="Allow Overlaps", default=False,
         description="Parts of an island may lie on top of each other: faster, and slightly less stretch")
 
+    symmetry: EnumProperty(
+        name="Symmetry", default='off', description="Mirror the seams of symmetric models",
+        items=[('off', "Off", "Seams are as short as possible on each side"),
+               ('auto', "Automatic", "At the best plane of symmetry, wherever it lies"),
+               ('x', "X", "Between left and right in the world, wherever the plane lies"),
+               ('y', "Y", "Between front and back in the world"),
+               ('z', "Z", "Between above and below in the world")])
+    seam_smoothness: FloatProperty(
+        name="Straighten", default=1, min=0, soft_max=10, max=100, precision=1, subtype='PERCENTAGE',
+        description="How much longer seams may become to be straighter")
     marked_seams: EnumProperty(
         name="Marked Seams", default='KEEP', description="What to do with seams that are already marked",
         items=[('KEEP', "Keep", "Every marked seam stays a seam; more are added where they are needed"),
@@ -141,6 +151,8 @@ class UnwrapSettings:
 
     def _draw_seams(self, column, context):
         column.prop(self, "marked_seams")
+        column.prop(self, "symmetry")
+        column.prop(self, "seam_smoothness")
         row = column.row(heading="At Hard Edges")
         row.prop(self, "cut_sharp", text="")
         sub = row.row()

@@ -149,6 +149,8 @@ Cut_surface cut_surface(const Surface_arguments& arguments, const Cutting_option
                     .forbidden_radius(options.forbidden_radius)
                     .maximum_number_of_states(options.maximum_number_of_states)
                     .random_seed(options.random_seed)
+                    .symmetry(options.symmetry)
+                    .seam_smoothness(options.seam_smoothness)
                     .edge_is_constrained_map(surface.mandatory_edges())
                     .edge_is_forbidden_map(surface.forbidden_edges())
                     .initial_cut_map(surface.initial_cut())

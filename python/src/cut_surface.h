@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_cutting/Chart_rotation.h>
 #include <CGAL/Surface_mesh_cutting/Connection.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/Symmetry.h>
 #include <CGAL/Surface_mesh_cutting/unwrap_polygon_soup.h>
 
 #include <cstddef>
@@ -47,6 +48,8 @@ struct Cutting_options
   double forbidden_radius = 10;
   std::size_t maximum_number_of_states = 20000000;
   unsigned int random_seed = 0;
+  SMC::Symmetry symmetry = SMC::Symmetry::NONE;
+  std::optional<double> seam_smoothness;
 };
 
 struct Packing_options

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/rotation_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/symmetry_of.h>
 
 #include <optional>
 #include <string>
@@ -58,6 +59,9 @@ Cutting_options read_cutting_options(const Call& call)
   read(call, "forbidden_radius", options.forbidden_radius);
   read(call, "maximum_number_of_states", options.maximum_number_of_states);
   read(call, "seed", options.random_seed);
+  options.symmetry = SMC::internal::symmetry_of(read_name(call, "symmetry"));
+  if(call.contains("seam_smoothness"))
+    read(call, "seam_smoothness", options.seam_smoothness.emplace());
   const std::string output = read_name(call, "output");
   options.output = output == "features" ? Output_kind::FEATURES : output == "cut" ? Output_kind::CUT : Output_kind::MAP;
   return options;
@@ -90,6 +94,13 @@ py::tuple to_tuple(const std::vector<double>& numbers)
   return py::tuple(result);
 }
 
+py::object to_object(const std::optional<SMC::Reflection_plane>& plane)
+{
+  if(!plane)
+    return py::none();
+  return py::make_tuple(py::make_tuple(plane->normal[0], plane->normal[1], plane->normal[2]), plane->offset, plane->matched);
+}
+
 py::dict describe(Cut_surface surface)
 {
   const SMC::Unwrap_soup_result& found = surface.found;
@@ -110,6 +121,7 @@ py::dict describe(Cut_surface surface)
   result["lower_bound"] = found.lower_bound ? py::object(py::float_(*found.lower_bound)) : py::none();
   result["is_optimal"] = found.is_optimal ? py::object(py::bool_(*found.is_optimal)) : py::none();
   result["trade_offs"] = to_array(found.trade_offs);
+  result["symmetry"] = to_object(found.symmetry);
   result["seconds"] = to_dict(found.seconds, surface.packing_seconds);
   result["cpu_seconds"] = to_dict(found.cpu_seconds, surface.packing_cpu_seconds);
   result["average_distortion"] = found.average_distortion;

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 EFFORTS = ("fast", "default", "best")
 ROTATIONS = ("any", "quarter", "none")
+SYMMETRIES = ("off", "auto", "x", "y", "z")
 CONNECTIONS = ("best", "exact", "greedy", "shortest_path_heuristic", "metric_closure")
 
 
@@ -136,6 +137,12 @@ class CuttingOptions(ConnectionOptions, total=False):
         The initial distance, in average edge lengths, of the second cut from the first one. Default: 10.
     seed : int
         From 0 to 4294967295, for drawing the start vertex. Default: 0.
+    symmetry : {"off", "auto", "x", "y", "z"}
+        The plane at which the cut is mirrored, if the surface is: the best one, or one across an axis, wherever it lies. If
+        there is none, or no such cut, a warning says so. Default: ``"off"``.
+    seam_smoothness : float
+        Percent, up to 100, by which parts of the cut of a map may get longer to be straighter. Default: 1, and 0 with
+        ``effort="fast"``, ``connection="exact"`` or ``faithful=True``.
     """
 
     effort: Literal["fast", "default", "best"]
@@ -152,6 +159,8 @@ class CuttingOptions(ConnectionOptions, total=False):
     influence_threshold: float
     forbidden_radius: float
     seed: int
+    symmetry: Literal["off", "auto", "x", "y", "z"]
+    seam_smoothness: float
 
 
 # Each class extends the one before it, which a TypedDict does not tell.
@@ -270,9 +279,10 @@ _READERS: dict[str, Callable[[str, Any], Any]] = {
     "terminals": _terminals,
     "connection": choice(*CONNECTIONS), "maximum_number_of_states": integer(0, 2**63 - 1),
     "effort": choice(*EFFORTS), "faithful": flag, "seed": integer(0, 2**32 - 1),
+    "symmetry": choice(*SYMMETRIES),
     **dict.fromkeys(["maximum_average_distortion", "maximum_face_distortion", "face_distortion_quantile",
                      "maximum_chart_distortion", "minimum_distortion_decrease", "minimum_length_decrease",
-                     "minimum_area_ratio", "influence_threshold", "forbidden_radius"], real)}
+                     "minimum_area_ratio", "influence_threshold", "forbidden_radius", "seam_smoothness"], real)}
 
 
 def _read_weights(name: str, value: Any) -> dict[str, Any]:

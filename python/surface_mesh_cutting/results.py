@@ -123,6 +123,9 @@ class CutResult(FeatureResult):
         Branch points that the connection added.
     trade_offs : numpy.ndarray of float64, shape (k, 3)
         Length, cost and average distortion of the cuts that were considered, from cheap to expensive.
+    symmetry : tuple or None
+        The normal of the plane of symmetry, the product of the normal with points of the plane, and the share of the points
+        of the surface that it matches; `None` if there is no such plane, or if it was not asked for.
     """
 
     cut_edges: Indices
@@ -132,6 +135,7 @@ class CutResult(FeatureResult):
     is_optimal: Optional[bool]
     number_of_auxiliary_points: int
     trade_offs: Floats
+    symmetry: Optional[tuple[tuple[float, float, float], float, float]]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

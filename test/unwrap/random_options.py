@@ -42,7 +42,8 @@ VALUES = {
     "--effort": ["fast", "default", "best"], "--connect": ["mst", "sph", "greedy", "exact", "best"],
     "--max-distortion": ["4.05", "4.2", "5", "1e9"], "--alpha": ["0", "0.1", "1", "1e-300"], "--beta": ["0", "20", "1e9"],
     "--eps-iso": ["0", "0.01", "1e9"], "--eps-len": ["0", "0.01"], "--seed": ["0", "1", "4294967295"],
-    "--threads": ["1", "2", "1024"], "--solver": ["supernodal", "eigen"], "--weld": ["auto", "on", "off"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
+    "--threads": ["1", "2", "1024"], "--solver": ["supernodal", "eigen"], "--weld": ["auto", "on", "off"],
+    "--symmetry": ["auto", "off", "x", "y", "z"], "--seam-smoothness": ["0", "1", "100"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
 }
 ODD_VALUES = ["", "nan", "inf", "-1", "4", "1e999", "4294967296", "none", "FAST", "x", "--svg", "-o", "0x10", " 1"]
 FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--strict", "--tangents",

@@ -21,7 +21,8 @@ PHASES = ["candidates", "filter", "connect", "refine", "parameterize", "packing"
 KEYS = ["status", "message", "warnings", "witness", "vertices", "faces", "polygons", "interpreted",
         "components", "genus", "borders", "candidates", "features", "auxiliary", "cut_length", "cut_cost", "cut_lower_bound",
         "optimal", "E_iso", "E_max", "E_quantiles", "charts_distortion", "flips", "overlaps", "charts", "uv_scale", "fill", "pages",
-        "texels_per_unit", "stacked", "distortion", "tradeoff", "seconds",
+        "texels_per_unit", "stacked", "distortion", "seams", "symmetry", "tradeoff",
+        "seconds",
         "cpu_seconds", "factorized_unknowns", "threads", "seed", "effort", "solver", "peak_memory_mb"]
 STATUS = {0: "done", 2: "usage", 3: "unreadable", 4: "unsupported", 5: "failed", 6: "stopped",
           7: "bound_not_reached"}

@@ -93,6 +93,24 @@ Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Distortion_measures
           {"overlaps", to_json(measures->overlaps)}};
 }
 
+Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Seam_measures>& measures)
+{
+  if(!measures)
+    return nullptr;
+  return {{"jaggedness", to_json(measures->jaggedness)},
+          {"compactness", number(measures->compactness)},
+          {"convexity", number(measures->convexity)},
+          {"on_hard_edges", to_json(measures->on_hard_edges)},
+          {"hidden", to_json(measures->hidden)}};
+}
+
+Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Reflection_plane>& plane)
+{
+  if(!plane)
+    return nullptr;
+  return {{"normal", plane->normal}, {"offset", plane->offset}, {"matched", plane->matched}};
+}
+
 double peak_memory_in_megabytes()
 {
   rusage usage = {};
@@ -151,6 +169,8 @@ std::string to_json(const Outcome& outcome)
     {"texels_per_unit", to_json(outcome.texels_per_unit)},
     {"stacked", to_json(outcome.stacked)},
     {"distortion", to_json(outcome.distortion)},
+    {"seams", to_json(outcome.seams)},
+    {"symmetry", to_json(outcome.symmetry)},
     {"tradeoff", outcome.trade_offs},
     {"seconds", to_json(outcome.seconds)},
     {"cpu_seconds", to_json(outcome.cpu_seconds)},

@@ -141,6 +141,12 @@ void add_method_options(CLI::App& app, Options& options)
     ->type_name("Q")->default_str("1")->group(group);
   add_bound(app, "--max-chart-distortion", options.maximum_chart_distortion,
             "Upper bound on the mean energy of each chart")->group(group);
+  add_choice(app, "--symmetry", options.symmetry,
+             "Cut symmetric objects symmetrically: at the best plane of\nsymmetry, or at one across an axis, wherever it lies",
+             {"auto", "off", "x", "y", "z"})->group(group);
+  add_number<double>(app, "--seam-smoothness", options.seam_smoothness,
+                     "Percent by which seams may get longer to be straighter", 0, 100)
+    ->type_name("S")->default_str("1; 0 if --effort fast or --faithful")->group(group);
 }
 
 Weight_choice parse_weights(const std::string& word)

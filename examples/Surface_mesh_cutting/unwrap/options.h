@@ -41,6 +41,8 @@ struct Options
 
   std::string effort = "default"; // fast, default, best
   bool is_faithful = false;
+  std::string symmetry = "off"; // auto, off, x, y, z
+  std::optional<double> seam_smoothness;
   std::optional<std::string> connect; // mst, sph, greedy, exact, best
   bool is_bijective = false, may_overlap = false;
   std::optional<double> maximum_average_distortion, maximum_face_distortion, maximum_chart_distortion;

@@ -8,6 +8,8 @@
 
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
 #include <CGAL/Surface_mesh_cutting/Phase_counts.h>
+#include <CGAL/Surface_mesh_cutting/Reflection_plane.h>
+#include <CGAL/Surface_mesh_cutting/Seam_measures.h>
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>
 
 #include <array>
@@ -79,6 +81,8 @@ struct Outcome
   std::optional<double> uv_scale, texels_per_unit; // UV units, and texels, per unit of length
   std::vector<double> fills;                       // of the unit square, of each page
   std::optional<CGAL::Surface_mesh_cutting::Distortion_measures> distortion; // if there is a report
+  std::optional<CGAL::Surface_mesh_cutting::Seam_measures> seams;            // the same
+  std::optional<CGAL::Surface_mesh_cutting::Reflection_plane> symmetry;      // found, if it was asked for
   std::vector<std::array<double, 2> > trade_offs; // length of the cut over the diagonal, mean energy
   Phase_seconds seconds, cpu_seconds;
   CGAL::Surface_mesh_cutting::Phase_counts factorized_unknowns;

@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/coincident_vertices_warning.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/symmetry_of.h>
+#include <CGAL/Surface_mesh_cutting/seam_report.h>
 #include <CGAL/Surface_mesh_cutting/unwrap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Execution.h>
 
@@ -148,6 +150,7 @@ void tell(const Result& result, const Surface& surface, const Polygon_soup& soup
   outcome.components = result.components;
   outcome.genus = result.genus;
   outcome.borders = result.borders;
+  outcome.symmetry = result.symmetry;
   outcome.seconds = phase_seconds(result.seconds);
   outcome.cpu_seconds = phase_seconds(result.cpu_seconds);
   outcome.factorized_unknowns = result.factorized_unknowns;
@@ -205,6 +208,8 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
       .random_seed(options.seed)
       .effort(SMC::internal::effort_of(options.effort))
       .use_published_method(options.is_faithful)
+      .symmetry(SMC::internal::symmetry_of(options.symmetry))
+      .seam_smoothness(options.seam_smoothness)
       .do_bijective(is_injective(options))
       .connection(connection_of(options.connect.value_or(options.is_faithful ? "greedy" : "best")))
       .maximum_average_distortion(options.maximum_average_distortion.value_or(std::numeric_limits<double>::infinity()))
@@ -363,8 +368,10 @@ Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& opt
     place_pages(options, int(outcome.fills.size()), layout);
   }, [&]
   {
-    if(!options.json.empty() || !options.html.empty())
-      outcome.distortion = SMC::distortion_report(mesh, work.is_cut, work.uvs);
+    if(options.json.empty() && options.html.empty())
+      return;
+    outcome.distortion = SMC::distortion_report(mesh, work.is_cut, work.uvs);
+    outcome.seams = SMC::seam_report<CGAL::Parallel_if_available_tag>(mesh, work.is_cut, work.uvs);
   });
   return layout;
 }

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Phase_counts.h>
 #include <CGAL/Surface_mesh_cutting/Phase_times.h>
+#include <CGAL/Surface_mesh_cutting/Reflection_plane.h>
 #include <CGAL/Surface_mesh_cutting/Status.h>
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
 
@@ -66,6 +67,10 @@ struct Cut_result
   /// all but the result is that of maps that may overlap. Empty for several components, and if constrained edges separate
   /// the surface.
   std::vector<Trade_off> trade_offs;
+
+  /// the symmetry of the surface, if the named parameter `symmetry` asks for one and there is one. Unless a warning says otherwise,
+  /// it maps the cut to itself.
+  std::optional<Reflection_plane> symmetry;
 
   Phase_times seconds;     ///< wall time.
   Phase_times cpu_seconds; ///< processor time of all threads.

@@ -38,7 +38,9 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_packing.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/certify_indexed_map.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/check_mesh.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/find_indexed_symmetries.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/measure_indexed_map.h>
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/measure_indexed_seams.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/mesh_warnings.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/visibilities.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter_impl.h>

@@ -140,6 +140,13 @@ function showMeasures() {
     if (report.distortion && report.distortion[key] !== null)
       add(columns[key], row => append(row, 'dd', digits(report.distortion[key], 6),
                                       {'data-key': 'distortion.' + key, 'data-value': JSON.stringify(report.distortion[key])}));
+  const seamColumns = {
+    jaggedness: 'Jaggedness of the seams', compactness: 'Compactness of charts', convexity: 'Convexity of charts',
+    on_hard_edges: 'Seam on hard edges', hidden: 'Seam hidden'};
+  for (const key in seamColumns)
+    if (report.seams && report.seams[key] !== null)
+      add(seamColumns[key], row => append(row, 'dd', key === 'on_hard_edges' || key === 'hidden' ? percent(report.seams[key], 3) : digits(report.seams[key], 4),
+                                          {'data-key': 'seams.' + key, 'data-value': JSON.stringify(report.seams[key])}));
   add('Seconds in all', row => append(row, 'dd', digits(report.seconds.total), {'data-key': 'seconds.total', 'data-value': JSON.stringify(report.seconds.total)}));
 }
 

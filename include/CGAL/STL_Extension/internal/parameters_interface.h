@@ -54,6 +54,8 @@ CGAL_add_named_parameter(chart_rotation_t, chart_rotation, chart_rotation)
 CGAL_add_named_parameter(texels_per_unit_t, texels_per_unit, texels_per_unit)
 CGAL_add_named_parameter(number_of_pages_t, number_of_pages, number_of_pages)
 CGAL_add_named_parameter(allow_flips_t, allow_flips, allow_flips)
+CGAL_add_named_parameter(symmetry_t, symmetry, symmetry)
+CGAL_add_named_parameter(seam_smoothness_t, seam_smoothness, seam_smoothness)
 
 // Names that CGAL itself has only since a later version
 #if CGAL_VERSION_NR < 1060100000

@@ -15,6 +15,8 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
+#include <CGAL/Surface_mesh_cutting/Seam_measures.h>
+#include <CGAL/Surface_mesh_cutting/Symmetry.h>
 #include <CGAL/Surface_mesh_cutting/internal/connection/Connected_cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Indexed_packing.h>
@@ -27,6 +29,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Welding.h>
 #include <CGAL/Surface_mesh_cutting/internal/context/Context.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/Indexed_symmetry.h>
 
 #include <CGAL/boost/graph/internal/Graph_kernel/separate_implementation.h>
 
@@ -68,6 +71,11 @@ Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                              const Cutting_constraints& constraints, const Context& context);
 
+// The symmetries of a mesh of which `diagonals` are no edges (empty: all are), from good to bad. The first one may be none.
+CGAL_INLINE_UNLESS_SEPARATE
+std::vector<Indexed_symmetry> find_indexed_symmetries(const Indexed_mesh& mesh, const Cut& diagonals, Symmetry choice,
+                                                      Execution execution);
+
 // Cuts the handles and then connects borders and terminals. The weight and its bound include those
 // of the mandatory edges.
 CGAL_INLINE_UNLESS_SEPARATE
@@ -83,6 +91,11 @@ Indexed_status certify_indexed_map(const Corner_table& chart, const std::vector<
 CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status measure_indexed_map(const Indexed_mesh& mesh, const Cut& cut,
                                    const std::vector<Eigen::Vector2d>& corner_uv, Distortion_measures& measures);
+
+// The measures of its seams, or why there are none.
+CGAL_INLINE_UNLESS_SEPARATE
+Indexed_status measure_indexed_seams(const Indexed_mesh& mesh, const Cut& cut, const std::vector<Eigen::Vector2d>& corner_uv,
+                                     Execution execution, Seam_measures& measures);
 
 // Moves the parts of a chart into the unit square. `round`: what becomes of a UV when it is handed out and read back.
 CGAL_INLINE_UNLESS_SEPARATE

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Conformal_solver.h>
 #include <CGAL/Surface_mesh_cutting/Effort.h>
+#include <CGAL/Surface_mesh_cutting/Symmetry.h>
 
 #include <CGAL/boost/graph/internal/Steiner_tree/solve.h>
 
@@ -57,6 +58,8 @@ struct Cutting_parameters
   bool use_published_method = false;
   // Whether the final map of a component has to be injective, too.
   bool do_bijective = false;
+  std::optional<double> seam_smoothness; // percent by which ways may get longer to turn less
+  Symmetry symmetry = Symmetry::NONE; // that the cut has as well, if the surface has it
   Effort effort = Effort::DEFAULT;     // the best one also runs the smaller ones
   std::optional<int> given_coarse_number_of_faces; // by the caller
   // How the feature points are connected; its decrease is epsilon_len as a length.
@@ -91,6 +94,13 @@ struct Cutting_parameters
 
   // Whether more remedies are tried where a map without overlaps has too little room.
   bool widens_search() const { return effort != Effort::FAST && !use_published_method; }
+
+  // By default, none where time or the published method counts.
+  double smoothness() const
+  {
+    constexpr double usual = 1;
+    return seam_smoothness.value_or(effort == Effort::FAST || use_published_method || needs_optimal_tree ? 0 : usual);
+  }
 
   // Whether maps without overlaps take no factorization that gains little.
   bool ends_early_in_room() const { return !has_bound() && effort == Effort::FAST && !use_published_method; }

@@ -16,6 +16,11 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/Mesh_cutter.h>
+#include <CGAL/Surface_mesh_cutting/internal/halves/cut_symmetrically.h>
+
+#ifndef CGAL_SEPARATE_IMPLEMENTATION
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/find_indexed_symmetries.h>
+#endif
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -26,6 +31,8 @@ Mesh_result cut_indexed_mesh(const Indexed_mesh& mesh, Output_kind output,
                              const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                              const Cutting_constraints& constraints, const Context& context)
 {
+  if(context.parameters.symmetry != Symmetry::NONE && output != Output_kind::FEATURES)
+    return cut_symmetrically(mesh, output, round, constraints, context);
   return Mesh_cutter(mesh, round, constraints, context).run(output);
 }
 

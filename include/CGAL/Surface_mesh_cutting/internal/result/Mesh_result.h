@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/energy_statistics.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/Indexed_symmetry.h>
 
 #include <Eigen/Core>
 
@@ -49,6 +50,7 @@ struct Mesh_result
   int flips = 0;
   std::optional<int> overlaps; // if the map has to be injective
   std::vector<Trade_off> trade_offs;
+  std::optional<Indexed_symmetry> symmetry; // of the surface, if it was looked for
 };
 
 enum class Output_kind { FEATURES, CUT, MAP };

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/Race.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/detect_features.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/early_result.h>
+#include <CGAL/Surface_mesh_cutting/internal/straightening/Seam_straightener.h>
 
 #include <algorithm>
 #include <utility>
@@ -76,6 +77,7 @@ public:
     if(m_problem.initial.is_given())
       add_given_cut(results);
     Component_result best = best_of(results);
+    Seam_straightener(m_problem, m_context, best).run();
     Peak_lowering(m_problem, m_context)(best);
     return best;
   }

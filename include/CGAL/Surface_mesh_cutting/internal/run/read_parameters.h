@@ -67,6 +67,8 @@ Cutting_parameters read_cutting_parameters(const NamedParameters& np)
   read(get_parameter(np, internal_np::forbidden_radius), p.forbidden_radius);
   read(get_parameter(np, internal_np::use_published_method), p.use_published_method);
   read(get_parameter(np, internal_np::do_bijective), p.do_bijective);
+  read(get_parameter(np, internal_np::symmetry), p.symmetry);
+  read(get_parameter(np, internal_np::seam_smoothness), p.seam_smoothness);
   read(get_parameter(np, internal_np::random_seed), p.random_seed);
   // The paper's maps cost ten times as much as spectral ones and lead to cuts of the same quality.
   p.conformal_solver = p.use_published_method ? Conformal_solver::KP_NEWTON : Conformal_solver::SPECTRAL;
@@ -109,6 +111,8 @@ inline Indexed_status check_parameters(const Cutting_parameters& p)
     return refuse("face_distortion_quantile", "greater than 0 and at most 1");
   if(!is_non_negative(p.decrease_per_cost))
     return refuse("minimum_decrease_per_length", "finite and not negative");
+  if(!(p.seam_smoothness.value_or(0) >= 0 && p.seam_smoothness.value_or(0) <= 100))
+    return refuse("seam_smoothness", "between 0 and 100");
   if(p.given_coarse_number_of_faces.value_or(0) < 0)
     return refuse("coarse_number_of_faces", "not negative");
   if(!(p.minimum_area_ratio >= 0 && p.minimum_area_ratio <= 1))

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/to_plane.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear_solver/make_solvers.h>
 
@@ -65,6 +66,8 @@ void translate(const Mesh_result& found, const Adapter& adapter, Cut_result<Tria
     result.is_optimal = found.is_optimal;
   }
   result.has_result = found.has_result;
+  if(found.symmetry)
+    result.symmetry = to_plane(*found.symmetry, adapter);
   for(const Trade_off& t : found.trade_offs)
     result.trade_offs.push_back({adapter.to_original_scale(t.cut_length), adapter.to_original_scale(t.cut_cost),
                                  t.average_distortion});
