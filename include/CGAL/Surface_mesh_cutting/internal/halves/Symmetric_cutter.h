@@ -159,9 +159,12 @@ private:
         constraints.edges.mandatory[e] = 1;
       else if(!m_half.plane()[e] && !constraints.edges.mandatory[e])
         constraints.edges.weights[e] = std::numeric_limits<double>::infinity();
+    Cutting_parameters parameters = m_context.parameters;
+    if(!parameters.use_published_method)
+      parameters.effort = Effort::FAST; // nearly all is decided
     Run_control control(m_context.control, share_of_run);
-    return Mesh_cutter(m_mesh, m_round, constraints,
-                       Context{m_context.parameters, control, m_context.clock, m_context.execution}).run(output);
+    return Mesh_cutter(m_mesh, m_round, constraints, Context{parameters, control, m_context.clock, m_context.execution})
+      .run(output);
   }
 
   // Of the half: where the caller wants a cut.
