@@ -48,28 +48,31 @@ public:
     : m_mesh(mesh), m_round(std::move(round)), m_constraints(folded(constraints, half)), m_context(context), m_half(half)
   {}
 
-  // Without a result if the run on one of them has none. Where a bound is missed since the halves are held together, they are cut
-  // more, and if that does not suffice, apart.
+  // Without a result if the run on one of them has none. Where a bound is missed since the halves are held together, they are held
+  // together by less, or cut more, and at last cut apart.
   Mesh_result run(Output_kind output)
   {
-    constexpr double excesses[] = {1, 0.7, 0.5}; // of what the bound allows above the ideal
+    constexpr double excesses[] = {1, 0.8}; // of what the bound allows above the ideal
     constexpr double ideal = Symmetric_Dirichlet_energy::ideal;
     const double bound = m_context.parameters.maximum_average_distortion;
     Mesh_result best, first;
+    const auto is_enough = [&] { return (best.has_result && !is_missed(best)) || m_context.control.is_stopped(); };
     for(const double excess : excesses)
     {
       const Mesh_result of_half = run_on_half(output, ideal + excess * (bound - ideal));
-      if(of_half.has_result)
-      {
-        const Cut connected = quotient_tree(m_mesh, m_constraints.edges, m_half, of_half, m_context);
-        take_better(run_on_whole(straight(connected.empty() ? of_half.cut : connected), false, output), of_half, best);
-        if(!first.has_result)
-          first = of_half;
-      }
-      if(!is_missed(best) || m_context.control.is_stopped())
+      if(!of_half.has_result)
+        continue;
+      const Cut connected = quotient_tree(m_mesh, m_constraints.edges, m_half, of_half, m_context);
+      for(const Cut& cut : {connected, of_half.cut})
+        if(!cut.empty() && !is_enough())
+          take_better(run_on_whole(straight(cut), false, output), of_half, best);
+      if(is_enough())
         return best;
+      if(!first.has_result)
+        first = of_half;
     }
-    take_better(run_on_whole(first.cut, true, output), first, best);
+    if(first.has_result)
+      take_better(run_on_whole(first.cut, true, output), first, best);
     return best;
   }
 
