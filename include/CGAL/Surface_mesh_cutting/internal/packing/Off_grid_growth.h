@@ -65,17 +65,18 @@ public:
 
 private:
   // Grows by small steps. Where the smallest one fails, two charts change places before the next attempt; few charts have few
-  // places to change.
+  // places to change. It ends where it has not grown for a share of the budget.
   void search()
   {
-    constexpr double first = 1.02, finest = 1.0015, quick = 0.02;
+    constexpr double first = 1.02, finest = 1.0015, quick = 0.02, patience = 0.3;
     constexpr int changes_per_chart = 4;
     const double budget = most_lookups();
+    double last = lookups(); // when it grew
     bool is_stuck = false;
     int changes = 0; // that did not help
     double factor = first;
-    while(m_scale * finest <= m_limit && lookups() < budget && changes < changes_per_chart * int(m_charts.size()) &&
-          m_control.go_further())
+    while(m_scale * finest <= m_limit && lookups() < (std::min)(budget, last + patience * budget) &&
+          changes < changes_per_chart * int(m_charts.size()) && m_control.go_further())
     {
       const double former = lookups();
       const double scale = (std::min)(m_scale * factor, m_limit);
@@ -95,6 +96,7 @@ private:
         if(lookups() - former < quick * budget)
           factor = (std::min)(first, factor * factor);
         grow_jointly();
+        last = lookups();
       }
       else
       {
