@@ -30,6 +30,8 @@ def _constrain(surface, settings, folder):
         is_fixed |= surface.is_seam
     if settings.cut_marked_sharp:
         is_fixed |= surface.is_sharp
+    if settings.cut_materials:
+        is_fixed |= surface.is_between_materials()
     if settings.cut_sharp:
         is_fixed |= angles.at_edges(surface) >= settings.sharp_angle - ANGLE_TOLERANCE
     is_start = surface.is_seam & (settings.marked_seams == 'START')
@@ -46,13 +48,26 @@ def _constrain(surface, settings, folder):
 
 def _weigh(surface, settings, folder):
     """The arguments for edges that cost less than their length."""
-    arguments = []
+    arguments = ["--hard-surface"] if settings.hard_surface else []
     for is_wanted, word in ((settings.sharp, "crease"), (settings.hidden, "visibility"), (settings.straight, "straight")):
         if is_wanted:
             arguments += ["--edge-weights", word]
     if settings.marked_sharp and surface.is_sharp.any():
         files.write_edge_factors(folder / "sharp.txt", surface.edge_vertices[surface.is_sharp], SHARP_FACTOR)
         arguments += ["--edge-weights", "sharp.txt"]
+    return arguments
+
+
+def _bound(settings):
+    """The arguments for limits of the stretch."""
+    arguments = []
+    for is_wanted, option, stretch in ((settings.limits_stretch, "--max-distortion", settings.stretch),
+                                       (settings.limits_island_stretch, "--max-chart-distortion", settings.island_stretch),
+                                       (settings.limits_face_stretch, "--max-face-distortion", settings.face_stretch)):
+        if is_wanted:
+            arguments += [option, _number(energy_of(stretch))]
+    if settings.limits_face_stretch and settings.face_share < 100:
+        arguments += ["--face-quantile", _number(settings.face_share / 100)]
     return arguments
 
 
@@ -93,8 +108,6 @@ def prepare(surface, settings, threads, folder):
             arguments += ["--min-fill", _number(settings.fill / 100)]
     if settings.stacks:
         arguments.append("--stack")
-    if settings.limits_stretch:
-        arguments += ["--max-distortion", _number(energy_of(settings.stretch))]
     if settings.symmetry != 'off':
         arguments += ["--symmetry", settings.symmetry]
     if settings.seam_smoothness != 1:  # otherwise, the program knows which efforts take the time
@@ -105,5 +118,5 @@ def prepare(surface, settings, threads, folder):
         arguments += ["--time-limit", _number(settings.time_limit)]
     if threads > 0:
         arguments += ["--threads", str(threads)]
-    return (arguments + _constrain(surface, settings, folder) + _weigh(surface, settings, folder)
+    return (arguments + _bound(settings) + _constrain(surface, settings, folder) + _weigh(surface, settings, folder)
             + _use_group(surface, settings, folder))

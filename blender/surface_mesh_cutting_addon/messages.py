@@ -60,7 +60,9 @@ def warnings(result):
     texts += [f"{_INTERPRETED.get(found['what'], found['what'])}: {found['count']}" for found in report["interpreted"]]
     if result.exit_code == 6:
         texts.append("Stopped: this is the best layout found so far")
-    if result.exit_code == 7:
+    if result.exit_code == 7 and report["witness"] is not None:
+        texts.append("Some faces or islands are stretched more than their limit: seams cannot go where they would lower that")
+    elif result.exit_code == 7:
         texts.append(f"The stretch is {stretch.percent_of(report['E_iso']):.1f} %: seams cannot go where they would lower it "
                      "to the limit")
     return texts

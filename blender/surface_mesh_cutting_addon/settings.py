@@ -43,6 +43,19 @@ class UnwrapSettings:
         name="Limit", default=BALANCED["stretch"], min=0.1, soft_min=2, soft_max=50, max=1e4, precision=1, subtype='PERCENTAGE',
         description="How much longer or shorter lengths in the layout are than on the model, on average. "
                     "12 % is barely visible on a checkerboard")
+    limits_island_stretch: BoolProperty(
+        name="Limit Stretch of Islands", default=False, description="The same for the mean stretch of each island by itself")
+    island_stretch: FloatProperty(
+        name="Limit", default=12, min=0.1, soft_min=2, soft_max=50, max=1e4, precision=1, subtype='PERCENTAGE',
+        description="How much longer or shorter lengths of an island are than on the model, on average")
+    limits_face_stretch: BoolProperty(
+        name="Limit Stretch of Faces", default=False, description="Add seams until single faces are stretched less than the limit")
+    face_stretch: FloatProperty(
+        name="Limit", default=75, min=0.1, soft_min=10, soft_max=200, max=1e4, precision=1, subtype='PERCENTAGE',
+        description="How much longer or shorter lengths of a face may be than on the model")
+    face_share: FloatProperty(
+        name="Share of Faces", default=100, min=0.1, soft_min=90, max=100, precision=1, subtype='PERCENTAGE',
+        description="How much of the area has to keep the limit of faces; the rest may be stretched more")
     may_overlap: BoolProperty(
         name="Allow Overlaps", default=False,
         description="Parts of an island may lie on top of each other: faster, and slightly less stretch")
@@ -68,6 +81,10 @@ class UnwrapSettings:
                                description="The smallest angle between faces that makes their edge a hard one")
     cut_marked_sharp: BoolProperty(name="Seams at Edges Marked Sharp", default=False,
                                    description="Make every edge that is marked as sharp a seam")
+    cut_materials: BoolProperty(name="Seams between Materials", default=False,
+                                description="Make every edge a seam where faces of different materials meet")
+    hard_surface: BoolProperty(name="Prefer Hard Edges", default=False,
+                               description="Seams follow edges where faces meet at 60 degrees or more, and otherwise straight lines")
     sharp: BoolProperty(name="Prefer Creases", default=False,
                         description="Seams follow folds of the surface where they can")
     marked_sharp: BoolProperty(name="Prefer Edges Marked Sharp", default=False,
@@ -122,7 +139,9 @@ class UnwrapSettings:
         name="Write To", default='ACTIVE', description="Where the layout goes",
         items=[('ACTIVE', "Active UV Map", "Replace the active UV map; one is added if there is none"),
                ('NEW', "New UV Map", "Add a UV map and make it the active one"),
+               ('NAMED', "UV Map by Name", "Replace the UV map of the name below, or add it; other UV maps stay"),
                ('SEAMS', "Seams Only", "Mark seams, and leave all UV maps as they are")])
+    uv_map: StringProperty(name="Name", default="Lightmap", maxlen=63, description="The UV map to replace or to add")
     mark_seams: BoolProperty(name="Mark Seams", default=True, description="Mark the edges between islands as seams")
     clear_seams: BoolProperty(name="Clear Other Seams", default=False,
                               description="Remove the marks of seams that this layout does not need")
@@ -141,11 +160,12 @@ class UnwrapSettings:
 
     def _draw_quality(self, column):
         column.prop(self, "preset")
-        row = column.row(heading="Limit Stretch")
-        row.prop(self, "limits_stretch", text="")
-        sub = row.row()
-        sub.active = self.limits_stretch
-        sub.prop(self, "stretch", text="")
+        self._draw_limit(column, "Limit Stretch", "limits_stretch", "stretch")
+        self._draw_limit(column, "Of Islands", "limits_island_stretch", "island_stretch")
+        self._draw_limit(column, "Of Faces", "limits_face_stretch", "face_stretch")
+        sub = column.row()
+        sub.active = self.limits_face_stretch
+        sub.prop(self, "face_share")
         column.prop(self, "effort")
         column.prop(self, "time_limit")
 
@@ -153,12 +173,8 @@ class UnwrapSettings:
         column.prop(self, "marked_seams")
         column.prop(self, "symmetry")
         column.prop(self, "seam_smoothness")
-        row = column.row(heading="At Hard Edges")
-        row.prop(self, "cut_sharp", text="")
-        sub = row.row()
-        sub.active = self.cut_sharp
-        sub.prop(self, "sharp_angle", text="")
-        for name in ("cut_marked_sharp", "sharp", "marked_sharp", "hidden", "straight"):
+        self._draw_limit(column, "At Hard Edges", "cut_sharp", "sharp_angle")
+        for name in ("cut_marked_sharp", "cut_materials", "hard_surface", "sharp", "marked_sharp", "hidden", "straight"):
             column.prop(self, name)
         if context.object is not None:
             column.prop_search(self, "vertex_group", context.object, "vertex_groups")
@@ -171,16 +187,24 @@ class UnwrapSettings:
             column.prop(self, "only_selected")
         for name in ("is_shared", "scale", "texture_size", "margin", "turn", "may_overlap", "stacks"):
             column.prop(self, name)
-        for switch, value in (("limits_density", "density"), ("limits_fill", "fill")):
-            row = column.row(heading=self.bl_rna.properties[switch].name)
-            row.active = self.scale == 'unit' and not (switch == "limits_fill" and self.limits_density)
-            row.prop(self, switch, text="")
-            sub = row.row()
-            sub.active = getattr(self, switch)
-            sub.prop(self, value, text="")
+        row = self._draw_limit(column, "Set Texel Density", "limits_density", "density")
+        row.active = self.scale == 'unit'
+        row = self._draw_limit(column, "Divide Long Islands", "limits_fill", "fill")
+        row.active = self.scale == 'unit' and not self.limits_density
+
+    def _draw_limit(self, column, heading, switch, value):
+        """A switch, and the value that it makes count."""
+        row = column.row(heading=heading)
+        row.prop(self, switch, text="")
+        sub = row.row()
+        sub.active = getattr(self, switch)
+        sub.prop(self, value, text="")
+        return row
 
     def _draw_result(self, column):
         column.prop(self, "target")
+        if self.target == 'NAMED':
+            column.prop(self, "uv_map")
         sub = column.column()
         sub.active = self.target != 'SEAMS'
         sub.prop(self, "mark_seams")

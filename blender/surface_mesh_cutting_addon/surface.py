@@ -21,6 +21,7 @@ class Part:
     # By the part's own indices.
     points: np.ndarray  # n x 3, in the space of the world
     face_sizes: np.ndarray
+    materials: np.ndarray  # indices, by face
     corner_vertices: np.ndarray
     corner_edges: np.ndarray  # the edge from this corner to the next of the face
     edge_vertices: np.ndarray  # m x 2
@@ -85,7 +86,8 @@ def read_part(object, only_selected):
     return Part(
         name=object.name, mesh_size=mesh_size(mesh), faces=faces, corners=corners, vertices=vertices, edges=edges,
         points=_in_world(object, values(mesh.vertices, "co", np.float32, 3)[vertices].astype(np.float64)),
-        face_sizes=sizes[faces], corner_vertices=corner_vertices, corner_edges=corner_edges,
+        face_sizes=sizes[faces], materials=values(mesh.polygons, "material_index", np.int32)[faces],
+        corner_vertices=corner_vertices, corner_edges=corner_edges,
         edge_vertices=new_vertex[values(mesh.edges, "vertices", np.int32, 2)[edges]],
         is_seam=values(mesh.edges, "use_seam", bool)[edges],
         is_sharp=values(mesh.edges, "use_edge_sharp", bool)[edges],
@@ -118,6 +120,7 @@ class Surface:
         self.first_edges = self._firsts("edges")
         self.points = self._joined("points")
         self.face_sizes = self._joined("face_sizes")
+        self.materials = self._joined("materials")
         self.corner_vertices = self._joined("corner_vertices", self.first_vertices)
         self.corner_edges = self._joined("corner_edges", self.first_edges)
         self.edge_vertices = self._joined("edge_vertices", self.first_vertices)
@@ -141,6 +144,14 @@ class Surface:
             return None
         return np.concatenate([np.zeros(len(part.vertices)) if each is None else each
                                for part, each in zip(self.parts, weights)])
+
+    def is_between_materials(self):
+        """For each edge, whether it has faces of different materials."""
+        materials = np.repeat(self.materials, self.face_sizes)
+        least, largest = np.full(len(self.edge_vertices), np.iinfo(np.int32).max), np.full(len(self.edge_vertices), -1)
+        np.minimum.at(least, self.corner_edges, materials)
+        np.maximum.at(largest, self.corner_edges, materials)
+        return least < largest
 
     def next_corners(self):
         """For each corner, the next one of its face."""

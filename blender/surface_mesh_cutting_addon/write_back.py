@@ -13,15 +13,21 @@ LAYER_NAME = "Shortest Cuts"
 MAXIMUM_LAYERS = 8  # a limit of Blender
 
 
-def has_place(mesh, target):
+def _existing_layer(mesh, settings):
+    """The UV map to replace, if it is there."""
+    return {'ACTIVE': mesh.uv_layers.active, 'NAMED': mesh.uv_layers.get(settings.uv_map)}.get(settings.target)
+
+
+def has_place(mesh, settings):
     """Whether the mesh can take the UV map."""
-    return target != 'NEW' or len(mesh.uv_layers) < MAXIMUM_LAYERS
+    return (settings.target == 'SEAMS' or len(mesh.uv_layers) < MAXIMUM_LAYERS
+            or _existing_layer(mesh, settings) is not None)
 
 
-def _make_layer(mesh, target):
+def _make_layer(mesh, settings):
     """The UV map to write to becomes the active one."""
-    if target == 'NEW' or mesh.uv_layers.active is None:
-        mesh.uv_layers.active = mesh.uv_layers.new(name=LAYER_NAME)
+    name = settings.uv_map if settings.target == 'NAMED' else LAYER_NAME
+    mesh.uv_layers.active = _existing_layer(mesh, settings) or mesh.uv_layers.new(name=name)
 
 
 def _write_uvs(mesh, part, uvs):
@@ -67,7 +73,7 @@ def write_result(result, settings):
         uvs = result.corner_uvs[surface.first_corners[i]:surface.first_corners[i + 1]]
         is_cut = result.is_cut[surface.first_edges[i]:surface.first_edges[i + 1]]
         if settings.target != 'SEAMS':
-            _make_layer(mesh, settings.target)
+            _make_layer(mesh, settings)
             (_write_uvs_in_edit_mode if mesh.is_editmode else _write_uvs)(mesh, part, uvs)
         if settings.mark_seams or settings.target == 'SEAMS':
             is_seam = _seams(part, is_cut, settings.clear_seams)

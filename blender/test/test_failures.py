@@ -5,12 +5,15 @@ import os
 import shutil
 import sys
 import tempfile
+import types
 from pathlib import Path
 
 import bpy
 
 from support import (ADDON, PROGRAM, Case, add_mesh, add_sphere, preferences, reference, select, set_mode, snapshot,
                      unwrap)
+
+messages = sys.modules[ADDON + ".messages"]
 
 SELECTION = tuple((kind, "select") for kind in ("vertices", "edges", "polygons"))
 
@@ -150,6 +153,11 @@ class Failures(Case):
         self.assertEqual(expected.report["status"], "bound_not_reached")
         self.assertEqual(unwrap(limits_stretch=True, stretch=3.57, vertex_group="Upper", group_use='NEVER'), {'FINISHED'})
         self.assert_like(sphere, expected)
+        for arguments, words in ((["--max-distortion", "4.009848"], "The stretch is"),
+                                 (["--max-face-distortion", "4.009848"], "Some faces or islands")):
+            missed = reference(sphere, *arguments, "--never-cut", "edges", edges=edges)
+            texts = messages.warnings(types.SimpleNamespace(report=missed.report, exit_code=7))
+            self.assertTrue(texts[-1].startswith(words), texts)
 
     def test_no_files_stay(self):
         add_sphere()

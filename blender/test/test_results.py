@@ -80,6 +80,13 @@ class Results(Case):
         for settings, arguments in (
                 ({"effort": 'fast'}, ["--effort", "fast"]),
                 ({"limits_stretch": True, "stretch": 20}, ["--max-distortion", "4.268889"]),
+                ({"limits_island_stretch": True, "island_stretch": 8, "effort": 'fast'},
+                 ["--max-chart-distortion", "4.047478", "--effort", "fast"]),
+                ({"limits_face_stretch": True, "face_stretch": 40, "effort": 'fast'},
+                 ["--max-face-distortion", "4.940408", "--effort", "fast"]),
+                ({"limits_face_stretch": True, "face_stretch": 30, "face_share": 95, "effort": 'fast'},
+                 ["--max-face-distortion", "4.563432", "--face-quantile", "0.95", "--effort", "fast"]),
+                ({"hard_surface": True, "effort": 'fast'}, ["--hard-surface", "--effort", "fast"]),
                 ({"may_overlap": True}, ["--allow-overlap"]),
                 ({"scale": 'surface'}, ["--uv-scale", "surface"]),
                 ({"margin": 16, "texture_size": 256}, ["--margin", "16", "--texture-size", "256"]),
@@ -184,6 +191,25 @@ class Results(Case):
         for _ in range(6):
             sphere.data.uv_layers.new()
         self.assert_refused("8 UV maps", target='NEW')
+
+    def test_target_by_name(self):
+        """It is added, then replaced; others stay."""
+        sphere = add_sphere()
+        unwrap_anew()
+        first = uvs_of(sphere.data)
+        for margin in (30, 20):
+            sphere.data.uv_layers.active_index = 0
+            unwrap_anew(target='NAMED', uv_map="Light", margin=margin)
+            self.assertEqual([layer.name for layer in sphere.data.uv_layers], ["Shortest Cuts", "Light"])
+            self.assertEqual(sphere.data.uv_layers.active_index, 1)
+            np.testing.assert_array_equal(uvs_of(sphere.data), reference(sphere, "--margin", str(margin)).uvs)
+        sphere.data.uv_layers.active_index = 0
+        np.testing.assert_array_equal(uvs_of(sphere.data), first)
+        for _ in range(6):
+            sphere.data.uv_layers.new()
+        unwrap_anew(target='NAMED', uv_map="Light")
+        self.assert_refused("8 UV maps", target='NAMED', uv_map="Another")
+        self.assert_refused("needs a name", target='NAMED', uv_map="")
 
     def test_any_polygons(self):
         """An edge with three faces, two cones with a common tip, a face turned over, and a large polygon."""

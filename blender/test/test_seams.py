@@ -3,6 +3,8 @@
 
 import math
 
+import bpy
+
 from support import (Case, add_mesh, add_sphere, array, equator, mark_seams, reference, seams_of, set_mode, snapshot, unwrap,
                      unwrap_anew)
 
@@ -126,6 +128,15 @@ class Seams(Case):
             mark_seams(self.mesh, {marked})
             unwrap(cut_marked_sharp=True, marked_seams=marked_seams)
             self.assertLessEqual(equator(self.mesh) | {marked}, seams_of(self.mesh))
+
+    def test_edges_between_materials_become_seams(self):
+        for name in ("North", "South"):
+            self.mesh.materials.append(bpy.data.materials.new(name))
+        for polygon in self.mesh.polygons:
+            polygon.material_index = int(polygon.center.z < 0)
+        expected = reference(self.sphere, "--must-cut", "edges", edges=pairs(equator(self.mesh)))
+        unwrap(cut_materials=True)
+        self.assert_like(self.sphere, expected)
 
     def test_marked_as_sharp(self):
         """A ring of a fifth of its cost is followed where the seam can."""

@@ -17,7 +17,7 @@ namespace SMC = CGAL::Surface_mesh_cutting;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cow.off");
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/couplingdown.off");
   Mesh mesh;
   if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(filename, mesh))
   {

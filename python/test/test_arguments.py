@@ -47,8 +47,7 @@ def test_shapes_of_faces():
     (dict(weld="off", weld_tolerance=1e-6), ValueError),
     (dict(uv_scale="large"), ValueError), (dict(strict=1), TypeError), (dict(bijective="yes"), TypeError),
     (dict(threads=0), ValueError), (dict(threads=1.5), TypeError), (dict(seed=-1), ValueError),
-    (dict(symmetry="w"), ValueError), (dict(symmetry=True), TypeError),
-    (dict(seam_smoothness="1"), TypeError),
+    (dict(symmetry="w"), ValueError), (dict(symmetry=True), TypeError), (dict(seam_smoothness="1"), TypeError),
     (dict(seed=2**32), ValueError), (dict(time_limit=0), ValueError), (dict(time_limit=float("nan")), ValueError),
     (dict(time_limit="1"), TypeError), (dict(progress=3), TypeError), (dict(margin="2"), TypeError),
     (dict(texture_size=0), ValueError), (dict(texture_size=2**31), ValueError), (dict(terminals=[[1, 2]]), ValueError),
@@ -137,7 +136,9 @@ def refused(*arguments, **options):
 
 
 @pytest.mark.parametrize("options, elements", [
-    (dict(maximum_average_distortion=4.0), []), (dict(minimum_area_ratio=1.5), []), (dict(influence_threshold=np.inf), []),
+    (dict(maximum_average_distortion=4.0), []), (dict(maximum_face_distortion=4.0), []),
+    (dict(maximum_chart_distortion=np.nan), []), (dict(maximum_face_distortion=8.0, face_distortion_quantile=0.0), []),
+    (dict(seam_smoothness=-1.0), []), (dict(minimum_area_ratio=1.5), []), (dict(influence_threshold=np.inf), []),
     (dict(minimum_distortion_decrease=np.nan), []), (dict(margin=-1.0), []), (dict(margin=np.nan), []),
     (dict(margin=512.0), []), (dict(terminals=[18]), []), (dict(terminals=[-1]), []), (dict(mandatory_edges=[[0, 99]]), []),
     (dict(mandatory_edges=[[1, 0], [0, 6]]), [[0, 1]]), (dict(forbidden_edges=[[5, 5]]), [[5, 5]]),

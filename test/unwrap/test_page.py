@@ -82,15 +82,15 @@ class Page(Case):
             outer, _, inner = key.partition(".")
             if inner:
                 self.assertEqual(json.loads(value), report[outer][inner], key)
-            elif key == "tradeoff":
-                self.assertIn(json.loads(value), report["tradeoff"])
+            elif key in ("tradeoff", "charts_distortion"):
+                self.assertIn(json.loads(value), report[key])
             else:
                 self.assertEqual(json.loads(value), report[key], key)
         embedded = self.browser.evaluate("document.getElementById('report').textContent")
         self.assertEqual(json.loads(embedded), report)
 
     def check_hover(self, name):
-        """Points at the middle of the largest triangle of the layout."""
+        """Points at the middle of the largest triangle of the layout, on which others may be stacked."""
         _, uvs, faces = read_obj(self.folder / f"{name}.uv.obj")
         corners = [[uvs[corner[1]] for corner in face] for face in faces]
 
@@ -104,14 +104,16 @@ class Page(Case):
         before = self.count_colors("layout")["pink"]
         x, y = self.browser.evaluate(f"pixelOfUV({u!r}, {v!r})")
         self.browser.move(x, y)
-        self.assertEqual(self.browser.evaluate("document.body.dataset.hovered"), str(wanted))
-        self.assertIn(f"Triangle {wanted:,}:", self.browser.evaluate("document.getElementById('hovered').textContent"))
+        hovered = int(self.browser.evaluate("document.body.dataset.hovered"))
+        self.assertEqual(sorted(corners[hovered]), sorted(corners[wanted]))
+        self.assertIn(f"Triangle {hovered:,}:", self.browser.evaluate("document.getElementById('hovered').textContent"))
         self.assertGreater(self.count_colors("layout")["pink"], before + 5)
         self.assertGreater(self.count_colors("surface")["pink"], 5)
 
-    def check_page(self, name, text):
+    def check_page(self, name, text, *options):
         self.write(f"{name}.off", text)
-        run = self.unwrap(f"{name}.off", "--html", f"{name}.html", "--json", f"{name}.json", "--quiet", "--effort", "fast")
+        run = self.unwrap(f"{name}.off", "--html", f"{name}.html", "--json", f"{name}.json", "--quiet", "--effort", "fast",
+                          *options)
         self.assertEqual(run.returncode, 0, run.stderr)
         report = json.loads((self.folder / f"{name}.json").read_text())
         for size, (width, height, is_dark) in SIZES.items():
@@ -192,6 +194,37 @@ class Page(Case):
 
     def test_many_charts(self):
         self.assertEqual(self.check_page("parts", to_off(parts(12)))["charts"], 12)
+
+    def texts(self, selector):
+        return self.browser.evaluate(f"Array.from(document.querySelectorAll('{selector}'), e => e.textContent)")
+
+    def test_distribution(self):
+        """All quantiles, the worst charts, and the bounds that were asked for."""
+        report = self.check_page("cow", cow(), "--max-distortion", "4.2", "--max-face-distortion", "12", "--face-quantile",
+                                 "0.999", "--max-chart-distortion", "4.5")
+        shown = self.texts("#distribution [data-key^=E_quantiles]")
+        self.assertEqual(len(shown), len(report["E_quantiles"]))
+        self.assertEqual(sorted(shown, key=lambda text: float(text.split()[0])), shown)
+        self.assertEqual(len(self.texts("#distribution [data-key=charts_distortion]")), report["charts"])
+        faces, charts = self.texts("#distribution tr.bound")
+        self.assertIn("99.9 %", faces)
+        self.assertTrue(faces.endswith("12"))
+        self.assertIn("asked for", charts)
+        self.assertEqual(self.texts("#tradeoff text.bound"), ["asked for"])
+        self.assertIn("asked for 4.2", self.texts("[data-key=E_iso]")[0])
+
+    def test_shared_places(self):
+        """The worst charts come first, and parts on the same place are counted."""
+        report = self.check_page("stacks", to_off(parts(12)), "--stack")
+        means = [json.loads(value)["mean"] for value in self.browser.evaluate(
+            "Array.from(document.querySelectorAll('[data-key=charts_distortion]'), e => e.dataset.value)")]
+        self.assertEqual(means, sorted((chart["mean"] for chart in report["charts_distortion"]), reverse=True)[:8])
+        self.assertIn("12 parts lie on 2 places", " ".join(self.texts("#words p")))
+
+    def test_symmetry(self):
+        report = self.check_page("symmetric", to_off(sphere(3)), "--symmetry", "x")
+        self.assertEqual([abs(x) for x in report["symmetry"]["normal"]], [1, 0, 0])
+        self.assertEqual(len(self.texts("[data-key^=symmetry]")), 3)
 
     def test_keyboard(self):
         self.check_page("sphere", to_off(sphere(3)))

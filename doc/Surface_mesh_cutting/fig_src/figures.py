@@ -10,9 +10,11 @@ from pathlib import Path
 
 import soups
 from mesh_files import Surface, read_off, write_selection
-from scene import BLUE, GREEN, RED, YELLOW, Cell, draw_faces, draw_layout, draw_surface, render
+from scene import BLUE, GREEN, RED, YELLOW, Cell, draw_faces, draw_layout, draw_pages, draw_surface, render
 
 CAMEL = (0.45, 0, 1), (-0.1, 1, 0.045)
+BONES = (1, 0.3, 0), (0, 0, 1)
+COUPLING = (0, 1, 0), (-1, 0, 0.8)
 COW = (1, 0, -0.45), (0.1, 1, 0.25)
 DINO = (-0.3, 1, 0), (0.1, 0, 1)
 ELEPHANT = (-0.5, 0, -0.87), (0, 1, 0)
@@ -31,10 +33,10 @@ class Figures:
     def mesh(self, name):
         return self.meshes / f"{name}.off"
 
-    def unwrap(self, name, *options):
+    def unwrap(self, name, *options, scale="surface"):
         """a surface, unwrapped with these options of the program; the layout has its size, as its colors need"""
         out, cut = self.work / "out.obj", self.work / "cut.obj"
-        self.run("unwrap", self.mesh(name), "-o", out, "--obj-cut", cut, "--uv-scale", "surface", "--quiet", *options)
+        self.run("unwrap", self.mesh(name), "-o", out, "--obj-cut", cut, "--uv-scale", scale, "--quiet", *options)
         return Surface(out, cut)
 
     def introduction(self):
@@ -68,6 +70,34 @@ class Figures:
             objects += draw_surface(surface, Cell(360 * i, 260, 360, 225), COW, line=1.4, dot=3.2)
             objects += draw_layout(surface, Cell(360 * i, 0, 360, 260))
         return 1080, 485, objects
+
+    def face_bound(self):
+        """the same number as a bound on the mean and on each face, and sharp edges that are cut"""
+        objects = []
+        for i, (name, axes, options) in enumerate((("cow", COW, ["--max-distortion", "6"]),
+                                                   ("cow", COW, ["--max-face-distortion", "6"]),
+                                                   ("couplingdown", COUPLING, ["--must-cut", "angle:60"]))):
+            surface = self.unwrap(name, "--effort", "fast", *options)
+            objects += draw_surface(surface, Cell(360 * i, 260, 360, 225), axes, line=1.4, points=False)
+            objects += draw_layout(surface, Cell(360 * i, 0, 360, 260))
+        return 1080, 485, objects
+
+    def atlas(self):
+        density, texels = 79, 512  # per unit of length, along a page
+        surface = self.unwrap("bones", "--effort", "fast", "--texels-per-unit", density, "--texture-size", texels, "--udim",
+                              scale="unit")
+        surface.uvs = [(u * texels / density, v * texels / density) for u, v in surface.uvs]
+        pages = 1 + max(int(u * density / texels) for u, _ in surface.uvs)
+        return 1200, 250, [*draw_surface(surface, Cell(0, 0, 200, 250), BONES, line=1, points=False),
+                           *draw_pages(surface, Cell(200, 0, 1000, 250), pages, texels / density)]
+
+    def symmetry(self):
+        objects = []
+        for i, symmetry in enumerate(("off", "auto")):
+            surface = self.unwrap("couplingdown", "--symmetry", symmetry)
+            objects += draw_surface(surface, Cell(600 * i, 0, 300, 300), COUPLING, points=False)
+            objects += draw_layout(surface, Cell(600 * i + 300, 0, 300, 300))
+        return 1200, 300, objects
 
     def connection(self):
         objects = []
@@ -152,8 +182,8 @@ class Figures:
         print("made", self.output / f"{name}.png")
 
 
-ALL = ["introduction", "overview", "method", "distortion_bound", "connection", "constraints", "weights", "topology",
-       "bijective", "interpretation"]
+ALL = ["introduction", "overview", "method", "distortion_bound", "face_bound", "connection", "constraints", "weights",
+       "topology", "bijective", "interpretation", "atlas", "symmetry"]
 
 
 def main():

@@ -78,19 +78,32 @@ def draw_layout(surface, cell, line=0.7):
     angle = _best_angle(surface.uvs, cell)
     turn = lambda p: (p[0] * math.cos(angle) - p[1] * math.sin(angle),
                       p[0] * math.sin(angle) + p[1] * math.cos(angle), 0)
-    scale, place = cell.place([turn(p) for p in surface.uvs])
-    at = lambda p: _vector(place(turn(p)))
+    _, place = cell.place([turn(p) for p in surface.uvs])
+    yield from _draw_uvs(surface, lambda p: place(turn(p)), line)
+
+
+def draw_pages(surface, cell, number, side, line=0.7):
+    """a layout on so many squares in a row, colored by distortion; `side`: that of a square"""
+    _, place = cell.place([(0, 0, 0), (number * side, side, 0)])
+    yield from _draw_uvs(surface, lambda p: place((*p, 0)), line)
+    for page in range(number):
+        corners = [_vector(place(((page + x) * side, y * side, 0))) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        for a, b in zip(corners, corners[1:] + corners[:1]):
+            yield _segment(a, b, line, (130, 130, 130), UNLIT)
+
+
+def _draw_uvs(surface, place, line):
     # What is on top where the layout overlaps itself, the same for neighbors.
     depths = surface.layout_distances()
     yield "mesh2 {"
-    yield _list("vertex_vectors", (_vector((*place(turn(p))[:2], 5. + d)) for p, d in zip(surface.uvs, depths)))
+    yield _list("vertex_vectors", (_vector((*place(p)[:2], 5. + d)) for p, d in zip(surface.uvs, depths)))
     yield _list("texture_list", (f"texture {{ pigment {{ {_color(_shade(i))} }} {UNLIT} }}" for i in range(SHADES)))
     indices = (min(SHADES - 1, int(SHADES * math.log(s) / math.log(LARGEST_STRETCH)))
                for s in surface.stretches())
     yield _list("face_indices", (f"{_vector(f)},{i}" for f, i in zip(surface.uv_faces, indices)))
     yield "}"
     for a, b in surface.layout_borders():
-        yield _segment(at(a), at(b), line, BLACK, UNLIT)
+        yield _segment(_vector(place(a)), _vector(place(b)), line, BLACK, UNLIT)
 
 
 def render(file, width, height, objects):

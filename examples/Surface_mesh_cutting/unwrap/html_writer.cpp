@@ -85,6 +85,17 @@ std::string up_axis(const Options& options)
   return !options.up.empty() ? options.up : is_for_printing(options.input) ? "z" : "y";
 }
 
+// What was asked for; null stands for no bound.
+nlohmann::ordered_json bounds(const Options& options)
+{
+  const auto or_null = [](const std::optional<double>& bound)
+  { return bound ? nlohmann::ordered_json(*bound) : nlohmann::ordered_json(); };
+  return {{"mean", or_null(options.maximum_average_distortion)},
+          {"faces", or_null(options.maximum_face_distortion)},
+          {"face_quantile", options.face_quantile},
+          {"charts", or_null(options.maximum_chart_distortion)}};
+}
+
 std::string facts(const Layout& layout, const Options& options)
 {
   const nlohmann::ordered_json facts = {{"name", std::filesystem::path(name_of_input(options.input)).filename().string()},
@@ -92,6 +103,7 @@ std::string facts(const Layout& layout, const Options& options)
                                         {"texture_size", options.texture_size},
                                         {"diagonal", layout.bounding_box_diagonal},
                                         {"up", up_axis(options)},
+                                        {"bounds", bounds(options)},
                                         {"ramp", distortion_colors}};
   return facts.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -191,6 +191,7 @@ showFigures();
 showWords();
 showMeasures();
 showTradeOffs();
+showDistribution();
 showLegend();
 if (hasWebGL())
   showViews();

@@ -29,7 +29,7 @@ function showTradeOffs() {
   }
   const width = 460, height = 290, left = 66, right = 16, top = 10, bottom = 44;
   const [shortest, longest] = range([...tried.map(t => t[0]), report.cut_length], 0.06);
-  const energiesShown = report.E_iso > 4 ? [...tried.map(t => t[1]), report.E_iso] : tried.map(t => t[1]);
+  const energiesShown = [...tried.map(t => t[1]), report.E_iso, facts.bounds.mean].filter(energy => energy > 4);
   const [low, high] = range(energiesShown.map(energy => Math.log(energy - 4)), 0.08);
   const x = length => left + (width - left - right) * (length - shortest) / (longest - shortest);
   const y = energy => top + (height - top - bottom) * (high - Math.log(energy - 4)) / (high - low);
@@ -53,6 +53,11 @@ function showTradeOffs() {
   }
   svg(plot, 'text', {x: (left + width - right) / 2, y: height - 6, 'text-anchor': 'middle'}, 'length of the cut in bounding box diagonals');
   svg(plot, 'text', {x: 0, y: 0, 'text-anchor': 'middle', transform: `translate(12 ${(top + height - bottom) / 2}) rotate(-90)`}, 'mean energy');
+  if (facts.bounds.mean !== null) {
+    const at = y(facts.bounds.mean);
+    svg(plot, 'line', {x1: left, x2: width - right, y1: at, y2: at, stroke: 'var(--cut)', 'stroke-dasharray': '6 4'});
+    svg(plot, 'text', {x: left + 6, y: at - 5, class: 'bound'}, 'asked for');
+  }
   svg(plot, 'polyline', {points: tried.map(t => x(t[0]) + ',' + y(t[1])).join(' '), fill: 'none', stroke: 'var(--accent)', 'stroke-width': 2, 'stroke-linejoin': 'round'});
   for (const t of tried) {
     const dot = svg(plot, 'circle', {cx: x(t[0]), cy: y(t[1]), r: 3, fill: 'var(--accent)', 'data-key': 'tradeoff', 'data-value': JSON.stringify(t)});
@@ -60,6 +65,7 @@ function showTradeOffs() {
   }
   if (report.E_iso > 4)
     svg(plot, 'circle', {cx: x(report.cut_length), cy: y(report.E_iso), r: 6, fill: 'var(--panel)', stroke: 'var(--cut)', 'stroke-width': 3});
-  append(element('tradeoff'), 'p', 'The cuts that were tried on the way; the ring is the result. An energy of 4 is no distortion; '
-    + digits(report.E_iso) + ' is a stretch of ' + stretched(report.E_iso) + ' on average.');
+  append(element('tradeoff'), 'p', 'The cuts that were tried on the way, with the mean energy of their maps; '
+    + 'the ring is the result. An energy of 4 is no distortion; ' + digits(report.E_iso) + ' is a stretch of ' + stretched(report.E_iso) + ' on average.'
+    + (facts.bounds.faces === null && facts.bounds.charts === null ? '' : ' Bounds on triangles and charts are not in this plot.'));
 }

@@ -44,17 +44,19 @@ function append(parent, name, text, attributes = {}) {
   return child;
 }
 
-// What a value of the report is shown as; tests compare the attribute with the report.
-function show(parent, name, key, text) {
-  return append(parent, name, text, {'data-key': key, 'data-value': JSON.stringify(report[key])});
-}
+// Attributes of what shows a value of the report; tests compare them with the report.
+const keyed = (key, value) => ({'data-key': key, 'data-value': JSON.stringify(value)});
+const show = (parent, name, key, text) => append(parent, name, text, keyed(key, report[key]));
 
 function showFigures() {
+  const pages = report.pages > 1
+    ? 'from ' + percent(Math.min(...report.fill), 3) + ' to ' + percent(Math.max(...report.fill), 3) : '';
   const figures = [
-    ['E_iso', 'Stretch', stretched, 'on average; energy ' + digits(report.E_iso)],
+    ['E_iso', 'Stretch', stretched, 'on average; energy ' + digits(report.E_iso)
+      + (facts.bounds.mean === null ? '' : ', asked for ' + digits(facts.bounds.mean, 6))],
     ['E_max', 'Largest stretch', stretched, 'of a triangle; energy ' + digits(report.E_max)],
     ['cut_length', 'Length of the cut', digits, 'bounding box diagonals'], ['charts', 'Charts', digits, 'pieces of the layout'],
-    ['fill', report.pages > 1 ? 'Pages filled' : 'Square filled', value => percent(mean(value), 3), 'by the charts'],
+    ['fill', report.pages > 1 ? 'Pages filled' : 'Square filled', value => percent(mean(value), 3), pages || 'by the charts'],
     ['overlaps', 'Overlaps', digits, 'proven'], ['flips', 'Flips', digits, 'proven']];
   for (const [key, label, format, unit] of figures) {
     if (report[key] === null || report[key] === undefined)
@@ -85,6 +87,12 @@ function sentences() {
   if (report.uv_scale && report.fill !== null)
     texts.push('One unit of length on the surface is ' + digits(report.uv_scale) + (report.pages > 1 ? ' sides of a page' : ' units of the unit square') + ', the same for all charts, which are at least '
       + digits(facts.margin) + ' texels of ' + digits(facts.texture_size) + ' apart.');
+  if (report.symmetry)
+    texts.push('The surface is symmetric: a plane of reflection brings ' + percent(report.symmetry.matched, 4)
+      + ' of its vertices to the surface.');
+  if (report.stacked && report.stacked.length > 0)
+    texts.push(plural(report.stacked.reduce((sum, parts) => sum + parts.length, 0), 'part lies', 'parts lie') + ' on '
+      + plural(report.stacked.length, 'place', 'places') + ', since they are congruent or mirror images.');
   if (report.status !== 'done')
     texts.push(report.message.charAt(0).toUpperCase() + report.message.slice(1) + '.');
   return texts;
@@ -116,6 +124,25 @@ function showWords() {
   }
 }
 
+// Measures that the report holds as parts of others: their key, label, format, and an explanation.
+const number = value => digits(value, 6), share = value => percent(value, 3);
+const partsOfMeasures = {
+  distortion: [
+    ['max_area_distortion', 'Largest area distortion', number], ['average_area_discrepancy', 'Average area discrepancy', number],
+    ['max_angle_distortion', 'Largest angle distortion', number],
+    ['average_angle_discrepancy', 'Average angle discrepancy', number],
+    ['min_singular_value', 'Smallest singular value', number], ['max_singular_value', 'Largest singular value', number],
+    ['resolution', 'Resolution needed', number, 'texels along a side for one per unit of length everywhere']],
+  seams: [
+    ['jaggedness', 'Jaggedness of the seams', number, 'turning per edge in radians, beyond that of the smoothest way nearby'],
+    ['compactness', 'Compactness of charts', number, '1 for disks, less for long and winding charts'],
+    ['convexity', 'Convexity of charts', share, 'share of their convex hulls'],
+    ['on_hard_edges', 'Seam on hard edges', share, 'where normals turn by 30 degrees or more'],
+    ['hidden', 'Seam hidden', share, 'light that the surface keeps from it']],
+  symmetry: [
+    ['normal', 'Normal of the plane of symmetry', normal => normal.map(x => digits(x, 3)).join(', ')],
+    ['offset', 'Its distance from the origin', number], ['matched', 'Vertices that it brings to the surface', share]]};
+
 function showMeasures() {
   const names = {
     status: 'Status', vertices: 'Vertices', faces: 'Faces', polygons: 'Faces that are no triangles', components: 'Components', genus: 'Handles', borders: 'Borders',
@@ -124,30 +151,20 @@ function showMeasures() {
     E_max: 'Largest energy', flips: 'Flips', overlaps: 'Overlaps', charts: 'Charts', uv_scale: 'Scale of the UVs', fill: 'Fill of the square',
     pages: 'Pages', texels_per_unit: 'Texels per unit of length',
     effort: 'Effort', solver: 'Linear solver', seed: 'Seed', threads: 'Threads', peak_memory_mb: 'Memory in megabytes'};
-  const add = (label, make) => {
-    const row = append(element('measures'), 'div');
-    append(row, 'dt', label);
+  const add = (label, make, explanation) => {
+    const row = append(element('measures'), 'div'), term = append(row, 'dt', label);
+    if (explanation)
+      append(term, 'small', explanation);
     make(row);
   };
   for (const key in names)
     if (report[key] !== null && report[key] !== undefined && !(key === 'polygons' && report[key] === 0))
       add(names[key], row => show(row, 'dd', key, typeof report[key] === 'boolean' ? (report[key] ? 'yes' : 'no') : digits(mean(report[key]), 6)));
-  const columns = {
-    max_area_distortion: 'Largest area distortion', average_area_discrepancy: 'Average area discrepancy',
-    max_angle_distortion: 'Largest angle distortion', average_angle_discrepancy: 'Average angle discrepancy',
-    min_singular_value: 'Smallest singular value', max_singular_value: 'Largest singular value', resolution: 'Texels per unit of length'};
-  for (const key in columns)
-    if (report.distortion && report.distortion[key] !== null)
-      add(columns[key], row => append(row, 'dd', digits(report.distortion[key], 6),
-                                      {'data-key': 'distortion.' + key, 'data-value': JSON.stringify(report.distortion[key])}));
-  const seamColumns = {
-    jaggedness: 'Jaggedness of the seams', compactness: 'Compactness of charts', convexity: 'Convexity of charts',
-    on_hard_edges: 'Seam on hard edges', hidden: 'Seam hidden'};
-  for (const key in seamColumns)
-    if (report.seams && report.seams[key] !== null)
-      add(seamColumns[key], row => append(row, 'dd', key === 'on_hard_edges' || key === 'hidden' ? percent(report.seams[key], 3) : digits(report.seams[key], 4),
-                                          {'data-key': 'seams.' + key, 'data-value': JSON.stringify(report.seams[key])}));
-  add('Seconds in all', row => append(row, 'dd', digits(report.seconds.total), {'data-key': 'seconds.total', 'data-value': JSON.stringify(report.seconds.total)}));
+  for (const outer in partsOfMeasures)
+    for (const [key, label, format, explanation] of partsOfMeasures[outer])
+      if (report[outer] && report[outer][key] !== null)
+        add(label, row => append(row, 'dd', format(report[outer][key]), keyed(outer + '.' + key, report[outer][key])), explanation);
+  add('Seconds in all', row => append(row, 'dd', digits(report.seconds.total), keyed('seconds.total', report.seconds.total)));
 }
 
 function svg(parent, name, attributes, text) {
