@@ -34,7 +34,7 @@ PLACES = [*FILES, "hard.off", "soft.off", "./cow.off", "folder/../cow.off", "dan
           "cow.off/x", "", "-", "--bogus", "x" * 300, "/dev/null", "/dev/full", "/dev/stdout", "/dev/stdin", "/dev/fd/1",
           "/dev/fd/77", "/proc/version", "a file", "locked/x", "pipe"]
 OUTPUTS = {"--output": "a.obj", "--svg": "a.svg", "--html": "a.html", "--texture": "a.png", "--obj-cut": "cut.obj", "--json": "r.json"}
-WORDS = {"--must-cut": ["uv"], "--initial-cut": ["uv"],  # no files
+WORDS = {"--must-cut": ["uv", "angle:40", "materials", "groups"], "--initial-cut": ["uv"],  # no files
          "--edge-weights": ["crease", "concave", "straight", "visibility", "occlusion", "sky", "sky:z", "sky:w", "colors",
                             "paint:paint.txt", "paint:weights.txt"]}
 INPUT_OPTIONS = ["--must-cut", "--never-cut", "--initial-cut", "--terminals", "--edge-weights"]
@@ -43,11 +43,14 @@ VALUES = {
     "--max-distortion": ["4.05", "4.2", "5", "1e9"], "--alpha": ["0", "0.1", "1", "1e-300"], "--beta": ["0", "20", "1e9"],
     "--eps-iso": ["0", "0.01", "1e9"], "--eps-len": ["0", "0.01"], "--seed": ["0", "1", "4294967295"],
     "--threads": ["1", "2", "1024"], "--solver": ["supernodal", "eigen"], "--weld": ["auto", "on", "off"],
-    "--symmetry": ["auto", "off", "x", "y", "z"], "--seam-smoothness": ["0", "1", "100"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
+    "--symmetry": ["auto", "off", "x", "y", "z"], "--seam-smoothness": ["0", "1", "100"],
+    "--max-face-distortion": ["4.5", "8"], "--face-quantile": ["0.5", "0.99"], "--max-chart-distortion": ["4.05", "4.2"],
+    "--texels-per-unit": ["10", "300", "1e9"], "--pages": ["1", "3"], "--uv-set": ["0", "1", "7"], "--lightmap": ["64", "512"],
+    "--min-fill": ["0.2", "0.9"], "--stack-tolerance": ["0", "0.01"], "--time-limit": ["0", "0.001", "0.05", "5", "1e9", "1e-300"],
 }
 ODD_VALUES = ["", "nan", "inf", "-1", "4", "1e999", "4294967296", "none", "FAST", "x", "--svg", "-o", "0x10", " 1"]
 FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--strict", "--tangents",
-         "--no-such-option"]
+         "--hard-surface", "--udim", "--pack-only", "--stack", "--no-such-option"]
 PATIENCE = 20  # seconds, of a run on such small meshes
 
 
