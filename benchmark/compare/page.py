@@ -52,14 +52,13 @@ def figure(records, programs, measure):
     return f"<h3>{html.escape(measure.title)}</h3><svg width='{WIDTH}' height='{HEIGHT}'>{''.join(marks)}</svg>"
 
 
-def page(records, programs, ours):
-    others = [name for name in programs if name != ours]
+def page(records, found, programs, ours):
     legend = " ".join(f"<b style='color:{color}'>&#9679; {html.escape(name)}</b>" for name, color in zip(programs, COLORS))
-    parts = [f"<h1>{len(records)} surfaces</h1>", f"<p>{legend}</p>", table(tables.totals(records, programs)),
+    parts = [f"<h1>{len(records)} surfaces</h1>", f"<p>{legend}</p>", table(found["programs"]),
              "<h2>Measures, mesh by mesh</h2><p>A cross above is a run without a result.</p>",
              *(figure(records, programs, measure) for measure in tables.MEASURES)]
-    for name in others:
-        parts += [f"<h2>{html.escape(name)} minus {html.escape(ours)}</h2>", table(tables.pairs(records, ours, name))]
-    parts += ["<h2>All runs</h2>", table(tables.of_meshes(records, programs))]
+    for name in programs:
+        parts += [f"<h2>{html.escape(name)} minus {html.escape(ours)}</h2>", table(found[name])] if name != ours else []
+    parts += ["<h2>Exceptions</h2>", table(found["exceptions"]), "<h2>All runs</h2>", table(tables.of_meshes(records, programs))]
     head = f"<head><meta charset='utf-8'><title>Comparison</title><style>{STYLE}</style></head>"
     return f"<!DOCTYPE html><html lang='en'>{head}<body>" + "\n".join(parts) + "</body></html>\n"

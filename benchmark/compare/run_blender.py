@@ -1,4 +1,4 @@
-"""Unwraps a mesh in Blender, and tells the seconds without Blender's start, reading and writing:
+"""Unwraps a mesh in Blender, and tells the processor seconds without Blender's start, reading and writing:
 
     blender --background --factory-startup --python-exit-code 1 --python run_blender.py -- smart INPUT.obj OUTPUT.obj
     blender ... -- seams MAPPED.obj OUTPUT.obj
@@ -46,12 +46,12 @@ def main():
         mark_seams(shape.data, uvs, faces, uv_faces)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
-    start = time.monotonic()
+    start = time.process_time()
     if way == "smart":
         bpy.ops.uv.smart_project()
     else:
         bpy.ops.uv.unwrap()
-    print(f"seconds {time.monotonic() - start}")
+    print(f"seconds {time.process_time() - start}")
     bpy.ops.object.mode_set(mode="OBJECT")
     mesh = shape.data
     uvs = [loop.uv for loop in mesh.uv_layers.active.data]

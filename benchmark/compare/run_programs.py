@@ -1,11 +1,13 @@
-"""Runs each program of a table on each mesh, one at a time, within a time limit, and measures what it returns. A record per run, a
-line of JSON, is kept, and no run is made twice."""
+"""Runs each program of a table on each mesh, one at a time, within a limit of processor seconds, and measures what it returns. A
+record per run, a line of JSON, is kept, and no run is made twice."""
 
 import dataclasses
 import json
+import math
 import os
 import pathlib
 import re
+import resource
 import shlex
 import signal
 import subprocess
@@ -18,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = pathlib.Path(__file__).resolve().parent / "programs.txt"
 SUFFIXES = (".obj", ".off", ".ply")
 MESSAGE_LIMIT = 300  # characters
+IDLE = 20  # times as long may a run take by the clock as by the processor
 
 
 @dataclasses.dataclass
@@ -32,6 +35,10 @@ class Program:
         """The names in braces in its command."""
         return set(re.findall(r"\{(\w+)\}", self.command)) - {"root", "input", "output"}
 
+    def is_rival(self):
+        """Whether it is another program that works alone."""
+        return not self.needs() and "/bin/unwrap" not in self.command
+
 
 def read_programs(path):
     lines = [line.strip() for line in path.read_text(encoding="utf-8").splitlines()]
@@ -43,10 +50,10 @@ def find_meshes(names):
         yield from sorted(file for file in name.iterdir() if file.suffix in SUFFIXES) if name.is_dir() else [name]
 
 
-def peak_memory(process):
+def peak_memory(pid):
     """In MB, of the process since it became that program: what wait4() tells counts this one before."""
     try:
-        status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="ascii", errors="replace")
+        status = pathlib.Path(f"/proc/{pid}/status").read_text(encoding="ascii", errors="replace")
     except OSError:
         return 0
     found = re.search(r"VmHWM:\s*(\d+)", status)
@@ -54,20 +61,29 @@ def peak_memory(process):
 
 
 def run_limited(command, log, seconds):
-    """The exit code, or None if the time was up, seconds, and the largest memory in MB."""
-    start, memory = time.monotonic(), 0
+    """The exit code, or None if the time was up, processor seconds, and the largest memory in MB."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 1))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    start, memory, pid, is_late = time.monotonic(), 0, 0, False
     with open(log, "wb") as file:
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=file, stderr=file, start_new_session=True)
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=file, stderr=file, start_new_session=True,
+                                   preexec_fn=limit)
     try:
-        while process.poll() is None and time.monotonic() - start <= seconds:
-            memory = max(memory, peak_memory(process))
+        while not pid:
+            memory = max(memory, peak_memory(process.pid))
             time.sleep(0.005)
+            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if not pid and time.monotonic() - start > IDLE * seconds and not is_late:
+                is_late = True
+                os.killpg(process.pid, signal.SIGKILL)
     finally:  # of a run that is ended nothing is to stay behind
-        is_late = process.poll() is None
-        if is_late:
+        if not pid:
             os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-    return None if is_late else process.returncode, time.monotonic() - start, memory
+    process.returncode = exit_code = os.waitstatus_to_exitcode(status)
+    is_late = is_late or exit_code in (-signal.SIGXCPU, -signal.SIGKILL) and usage.ru_utime + usage.ru_stime >= seconds - 1
+    return None if is_late else exit_code, usage.ru_utime + usage.ru_stime, memory
 
 
 def run(program, surface, places, time_limit):

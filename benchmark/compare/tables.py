@@ -64,17 +64,31 @@ def pairs(records, ours, theirs):
     return rows
 
 
-def exceptions(records, ours, theirs):
-    """Meshes on which a program has fewer charts or a shorter seam than ours, or one of both has no result or overlaps."""
-    rows = [["mesh", "program", "charts, ours", "theirs", "seam, ours", "theirs", "energy, ours", "theirs", "remark"]]
+def is_beaten(one, other, key):
+    """Whether another run has a smaller value, or alone a result."""
+    first, second = (record.get(key) if record["outcome"] == "done" else math.inf for record in (one, other))
+    return second < first - 1e-9
+
+
+def counts(records, ours, rivals):
+    """On how many meshes no rival is better than ours, and what is wrong with ours."""
+    found = {key: sum(not any(is_beaten(row[ours], row[name], key) for name in rivals) for row in records.values())
+             for key in ("charts", "seam", "uv_seam")}
+    return {"meshes": len(records), **{f"best_{key}": number for key, number in found.items()},
+            "unfinished": sum(row[ours]["outcome"] != "done" for row in records.values()),
+            **{key: sum(row[ours].get(key, 0) for row in records.values()) for key in ("overlaps", "flipped")}}
+
+
+def exceptions(records, ours, rivals):
+    """Runs with fewer charts or a shorter seam than ours, and those of ours without a result or with overlaps."""
+    rows = [["mesh", "program", "charts, ours", "theirs", "seam, ours", "theirs", "energy, ours", "theirs", "outcome of ours"]]
     chosen = [m for m in MEASURES if m.key in ("charts", "seam", "E_mean")]
     for mesh, row in records.items():
-        one, other = row[ours], row[theirs]
-        found = [(value_of(one, m), value_of(other, m)) for m in chosen]
-        remark = "; ".join(f"{name}: {record['outcome']} {record['message']}" for name, record in ((ours, one), (theirs, other))
-                           if record["outcome"] != "done")
-        if remark or any(theirs_ < ours_ for ours_, theirs_ in found[:2]) or one["overlaps"]:
-            rows.append([mesh, theirs, *(text(value, m.digits) for m, pair in zip(chosen, found) for value in pair), remark])
+        one = row[ours]
+        for name in rivals:
+            if one["outcome"] != "done" or one["overlaps"] or any(is_beaten(one, row[name], key) for key in ("charts", "seam")):
+                rows.append([mesh, name, *(text(value_of(record, m), m.digits) for m in chosen for record in (one, row[name])),
+                             f"{one['outcome']} {one['message']}".strip()])
     return rows
 
 
