@@ -24,7 +24,7 @@ def explain():
 
 def write(folder, records, programs):
     names, rivals = [program.name for program in programs], [program.name for program in programs if program.is_rival()]
-    found = {"counts": tables.counts(records, OURS, rivals), "programs": tables.totals(records, names),
+    found = {"values": tables.values_of_all(records, OURS, names, rivals), "programs": tables.totals(records, names),
              **{name: tables.pairs(records, OURS, name) for name in names if name != OURS},
              "exceptions": tables.exceptions(records, OURS, rivals)}
     (folder / "comparison.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")

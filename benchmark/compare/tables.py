@@ -79,6 +79,16 @@ def counts(records, ours, rivals):
             **{key: sum(row[ours].get(key, 0) for row in records.values()) for key in ("overlaps", "flipped")}}
 
 
+def values_of_all(records, ours, programs, rivals):
+    """Numbers by name, for texts: counts(), and medians and means of each program."""
+    found = counts(records, ours, rivals)
+    for program in programs:
+        for m in MEASURES:
+            median, mean, missing = paired_statistics.summary(values(records, program, m))
+            found |= {f"{program}_{m.key}_median": median, f"{program}_{m.key}": mean, f"{program}_missing": missing}
+    return found
+
+
 def exceptions(records, ours, rivals):
     """Runs with fewer charts or a shorter seam than ours, and those of ours without a result or with overlaps."""
     rows = [["mesh", "program", "charts, ours", "theirs", "seam, ours", "theirs", "energy, ours", "theirs", "outcome of ours"]]
