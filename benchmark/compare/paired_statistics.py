@@ -8,6 +8,7 @@ from scipy.stats import wilcoxon
 
 RESAMPLES = 10_000
 CONFIDENCE = 0.95
+PRECISION = 1e-6  # relative, of coordinates in single precision: values that differ by less are equal
 
 
 @dataclasses.dataclass
@@ -25,7 +26,7 @@ def differences(first, second):
     """Second minus first; None is infinite, and equal to None."""
     first, second = (np.array([np.inf if value is None else value for value in values], float) for values in (first, second))
     with np.errstate(invalid="ignore"):
-        return np.where(first == second, 0.0, second - first)
+        return np.where(np.isclose(first, second, rtol=PRECISION, atol=0), 0.0, second - first)
 
 
 def interval(values, seed=0):
