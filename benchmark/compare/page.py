@@ -19,7 +19,7 @@ def table(rows):
 
 
 def figure(records, programs, measure):
-    """A dot for each mesh and program, meshes in the order of the first program's values."""
+    """A dot for each mesh and program, meshes in the order of the first program's values; logarithmic axes have four decades."""
     columns = sorted(zip(*([value if value is not None else math.inf for value in tables.values(records, name, measure)]
                            for name in programs), records), key=lambda column: column[0])
     found = [value for column in columns for value in column[:-1] if math.isfinite(value)]
@@ -27,7 +27,7 @@ def figure(records, programs, measure):
         return ""
 
     def scaled(value):
-        return math.log10(max(value, 1e-6)) if measure.is_logarithmic else value
+        return math.log10(max(value, 1e-4 * max(found), 1e-9)) if measure.is_logarithmic else value
 
     low, high = scaled(min(found)), scaled(max(found))
     span = high - low or 1
@@ -43,8 +43,9 @@ def figure(records, programs, measure):
         marks.append(f"<path d='M{MARGIN} {y:.1f}H{WIDTH}' stroke='#ddd'/><text x='{MARGIN - 5}' y='{y + 4:.1f}' text-anchor='end' "
                      f"font-size='11'>{label:.3g}</text>")
     for i, column in enumerate(columns):
-        x = MARGIN + 10 + (WIDTH - MARGIN - 20) * (i + 0.5) / len(columns)
-        for value, name, color in zip(column, programs, COLORS):
+        left = MARGIN + 10 + (WIDTH - MARGIN - 20) * (i + 0.5) / len(columns) - 1.5 * len(programs)
+        for k, (value, name, color) in enumerate(zip(column, programs, COLORS)):
+            x = left + 3 * k
             label = f"{column[-1]}, {name}: {value:.4g}" if math.isfinite(value) else f"{column[-1]}, {name}: no result"
             shape = f"<circle cx='{x:.1f}' cy='{place(value):.1f}' r='3.2'" if math.isfinite(value) else \
                 f"<path d='M{x - 3:.1f} 9l6 6m0 -6l-6 6' stroke='{color}'"
