@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, from Debian; the validator of glTF, which the tests use where it is there, from npm:
-#   scripts/install_dependencies.sh [build|test|python|corpus|evaluation|sanitize|doc|figures|blender|validator]...    (default: build test)
+# Installs what is missing, from Debian; from npm, the validator of glTF, which the tests use where it is there, and xatlas, with
+# which results are compared:
+#   scripts/install_dependencies.sh [build|test|python|corpus|evaluation|sanitize|doc|figures|blender|validator|compare]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -8,12 +9,12 @@ if [ $# -eq 0 ]; then
 fi
 
 wanted=()
-does_want_validator=no
+packages=() # of npm, each with the folder in build/ where it is installed, since npm removes others there
 for purpose in "$@"; do
   case $purpose in
     build) wanted+=(g++ cmake make ninja-build libcgal-dev libeigen3-dev libboost-dev
                     libtbb-dev libsuitesparse-dev libmetis-dev libcli11-dev nlohmann-json3-dev libpng-dev libjs-three) ;;
-    test)  wanted+=(libopenmesh-dev python3 chromium assimp-utils) ;;
+    test)  wanted+=(libopenmesh-dev python3 python3-numpy python3-scipy chromium assimp-utils) ;;
     python) wanted+=(python3-dev pybind11-dev python3-numpy python3-pytest python3-matplotlib
                      python3-pip python3-setuptools python3-wheel python3-venv) ;;
     corpus) wanted+=(parallel python3) ;;
@@ -22,9 +23,10 @@ for purpose in "$@"; do
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
     blender) wanted+=(blender xvfb xauth libgl1-mesa-dri python3) ;;
-    validator) command -v npm > /dev/null || wanted+=(nodejs npm) # others than Debian's bring their own npm
-               does_want_validator=yes ;;
-    *)     echo "usage: $0 [build|test|python|corpus|evaluation|sanitize|doc|figures|blender|validator]..." >&2; exit 2 ;;
+    validator) packages+=(gltf-validator@2.0.0-dev.3.10 .) ;;
+    compare) wanted+=(python3-numpy python3-scipy blender)
+             packages+=(watlas@1.0.1 compare) ;;
+    *)     echo "usage: $0 [build|test|python|corpus|evaluation|sanitize|doc|figures|blender|validator|compare]..." >&2; exit 2 ;;
   esac
 done
 
@@ -50,19 +52,23 @@ install_from_debian() {
     apt-get install --yes --no-install-recommends "${missing[@]}"
 }
 
-install_validator() {
+# install_from_npm PACKAGE FOLDER ...
+install_from_npm() {
   local build
   build=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build
-  if [ ! -d "$build/node_modules/gltf-validator" ]; then
-    mkdir -p "$build"
-    npm install --no-save --no-audit --no-fund --prefix "$build" gltf-validator@2.0.0-dev.3.10 ||
-      echo "npm cannot be reached: glTF files are not validated" >&2
-  fi
+  while [ $# -gt 0 ]; do
+    if [ ! -d "$build/$2/node_modules/${1%@*}" ]; then
+      mkdir -p "$build/$2"
+      npm install --no-save --no-audit --no-fund --prefix "$build/$2" "$1" || echo "npm cannot be reached: ${1%@*} is not there" >&2
+    fi
+    shift 2
+  done
 }
 
+if [ ${#packages[@]} -gt 0 ] && ! command -v npm > /dev/null; then
+  wanted+=(nodejs npm) # others than Debian's bring their own npm
+fi
 if [ ${#wanted[@]} -gt 0 ]; then
   install_from_debian "${wanted[@]}"
 fi
-if [ "$does_want_validator" = yes ]; then
-  install_validator
-fi
+install_from_npm "${packages[@]}"

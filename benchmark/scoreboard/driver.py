@@ -59,7 +59,8 @@ def read_arguments(driver, claims):
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/bin", metavar="FOLDER")
     parser.add_argument("--meshes", type=pathlib.Path, default=ROOT / "build/data/meshes", metavar="FOLDER",
                         help="CGAL's data set")
-    for name, meaning in (("models", "with the meshes that rivals.csv and optcuts.csv in benchmark/results name"),
+    for name, meaning in (("common", "with the Common Shapes, which README.md names"),
+                          ("models", "with the meshes that rivals.csv and optcuts.csv in benchmark/results name"),
                           ("graphs", "with the graphs of PACE 2018 and optimum.csv"),
                           ("wild", "with any meshes, for the runs of Robustness")):
         parser.add_argument(f"--{name}", type=pathlib.Path, metavar="FOLDER", help=meaning)
@@ -68,7 +69,7 @@ def read_arguments(driver, claims):
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="at a time, where times do not count")
     parser.add_argument("--results", type=pathlib.Path, default=results.FOLDER, metavar="FOLDER")
     arguments = parser.parse_args()
-    for name in "programs", "meshes", "models", "graphs", "wild", "output":
+    for name in "programs", "meshes", "models", "graphs", "wild", "common", "output":
         value = getattr(arguments, name)
         setattr(arguments, name, value and value.resolve())
     return arguments

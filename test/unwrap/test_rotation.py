@@ -1,6 +1,6 @@
 """How charts lie: aligned with the axes unless that costs much, and as --rotate says."""
 
-from support import Case, joined, main, read_obj, sphere, to_off
+from support import Case, joined, main, read_obj, scaled, sphere, to_off
 
 
 class Rotation(Case):
@@ -30,6 +30,10 @@ class Rotation(Case):
                 for words in ((), ("--rotate", "any"), ("--rotate", "quarter"), ("--rotate", "none"))}
         self.assertGreaterEqual(fill[()], 0.9699 * fill["--rotate", "any"])
         self.assertGreaterEqual(fill["--rotate", "any"] * 1.03, fill["--rotate", "quarter"])
+
+    def test_long_search(self):
+        """Two charts of one shape, one twice as large, change places so often that weights of contacts could overflow."""
+        self.assert_unwrapped(joined(sphere(1), scaled(sphere(1), 2)), "--rotate", "any")
 
 
 main()

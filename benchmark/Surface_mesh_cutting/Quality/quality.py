@@ -10,9 +10,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "scoreboard"))
 
 from bench import Measured, mean_of, total_seconds  # noqa: E402
+from comparison import measure_comparison  # noqa: E402
 from driver import Claim, run  # noqa: E402
 from known_cuts import measure_known  # noqa: E402
 from layouts import measure_packing, measure_weights  # noqa: E402
+from mesh_copies import measure_invariance  # noqa: E402
 from meshes import CLOSED, FIGURES  # noqa: E402
 from room import measure_ramp, measure_room  # noqa: E402
 from searches import measure_best, measure_best_on_models, measure_optcuts, measure_seeds  # noqa: E402
@@ -112,6 +114,15 @@ CLAIMS = [
     Claim("optcuts", 1.5,
           "On {surfaces} surfaces at a bound of 4.1 without overlaps, cuts are {mean:.1f} % shorter than those of OptCuts in the mean and "
           "{least:.1f} % at least, in {seconds:.0f} s; overlaps left: {overlaps}", measure_optcuts, needs="--models FOLDER"),
+    Claim("comparison", 60,
+          "On {meshes} of the Common Shapes, cuts are as short as those of xatlas and of Blender's Smart UV Project or shorter on "
+          "{best_seam}, with as few charts or fewer on {best_charts}: {default_charts:.1f} in the mean, {xatlas_charts:.0f} and "
+          "{smart_charts:.0f}; overlaps: {overlaps}, without result: {unfinished}", measure_comparison, needs="--common FOLDER",
+          is_long=True),
+    Claim("invariance", 60,
+          "{rotations} rotations of {surfaces} surfaces change the length at a bound of 4.1 by {rotated_4_1_mean:.1f} % in the mean "
+          "and {rotated_4_1_largest:.1f} % at most, other numbers of vertices by {renumbered_4_1_mean:.1f} and "
+          "{renumbered_4_1_largest:.1f} %", measure_invariance, is_long=True),
     Claim("overlaps", 1.5,
           "On {surfaces} surfaces, layouts without overlaps take {default_time_percent:+.0f} % time for {default_energy:+.4f} mean "
           "distortion and {default_length_percent:+.1f} % length, with effort fast {fast_time_percent:+.0f} % for {fast_energy:+.4f} "

@@ -223,7 +223,7 @@ private:
   // Raises the weights of what is too close.
   void reweight()
   {
-    constexpr double raise = 1.3, decay = 0.95;
+    constexpr double raise = 1.3, decay = 0.95, most = 1e100; // not infinity, which hundreds of sweeps would lead to
     for(int i = 0; i < int(m_charts.size()); ++i)
     {
       bool is_close = false;
@@ -234,7 +234,7 @@ private:
       };
       m_finder.at_border(i, m_motions[i], look);
       if(is_close)
-        border_weight(i) *= raise;
+        border_weight(i) = (std::min)(raise * border_weight(i), most);
       for(int j = 0; j < i; ++j)
       {
         if(!m_finder.can_meet(i, m_motions[i], j, m_motions[j]))
@@ -243,7 +243,7 @@ private:
         m_finder.in_chart(i, m_motions[i], j, m_motions[j], look);
         if(!is_close)
           m_finder.in_chart(j, m_motions[j], i, m_motions[i], look);
-        weight(i, j) = (std::max)(weight(i, j) * (is_close ? raise : decay), 1.);
+        weight(i, j) = (std::min)((std::max)(weight(i, j) * (is_close ? raise : decay), 1.), most);
       }
     }
   }

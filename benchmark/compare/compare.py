@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""Compares programs that unwrap meshes: runs each on each mesh, measures all results alike, and writes comparison.md,
+comparison.html and comparison.json into OUTPUT, beside all results and records.jsonl. Calling it again goes on where it was."""
+
+import argparse
+import json
+import pathlib
+
+import page
+import tables
+from run_programs import ROOT, TABLE, find_meshes, read_programs, run_all
+
+OURS = "default"
+
+
+def explain():
+    return ("Seams on the surface are in diagonals of its bounding box, those in the unit square are the borders of all charts "
+            "after the layout is scaled into it. Energies are symmetric Dirichlet ones at the best common scale (4 is no "
+            "distortion), weighted by area, of the faces that are not flipped; a face is flipped if it is turned against most of "
+            "its chart, or flat. Angles and areas are the mean discrepancies of the parameterization benchmark, and PartUV's "
+            "scores (1 is best). Overlaps are decided exactly. Seconds are of the processor. A run without a result counts as "
+            "worse than any with one.\n")
+
+
+def write(folder, records, programs):
+    names, rivals = [program.name for program in programs], [program.name for program in programs if program.is_rival()]
+    found = {"values": tables.values_of_all(records, OURS, names, rivals), "programs": tables.totals(records, names),
+             **{name: tables.pairs(records, OURS, name) for name in names if name != OURS},
+             "exceptions": tables.exceptions(records, OURS, rivals)}
+    (folder / "comparison.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+    parts = [f"# {len(records)} surfaces\n", explain(), tables.markdown(found["programs"])]
+    for name in names:
+        parts += [f"## {name} minus {OURS}\n", tables.markdown(found[name])] if name != OURS else []
+    parts += ["## Exceptions\n", tables.markdown(found["exceptions"])]
+    (folder / "comparison.md").write_text("\n".join(parts), encoding="utf-8")
+    (folder / "comparison.html").write_text(page.page(records, found, names, OURS), encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("meshes", nargs="+", type=pathlib.Path, help="OBJ, OFF and PLY files, and folders of them")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build/compare/results", metavar="FOLDER")
+    parser.add_argument("--programs", type=pathlib.Path, default=TABLE, metavar="FILE", help="the table of commands")
+    parser.add_argument("--only", metavar="NAME,...", help="of these programs")
+    parser.add_argument("--time-limit", type=float, default=300, metavar="SECONDS",
+                        help="of the processor, of each run; default: %(default)s")
+    arguments = parser.parse_args()
+    programs = read_programs(arguments.programs)
+    if arguments.only:
+        names = [OURS, *arguments.only.split(",")]
+        programs = [program for program in programs if program.name in names]
+    records = run_all(programs, find_meshes(arguments.meshes), arguments.output.resolve(), arguments.time_limit)
+    write(arguments.output, records, programs)
+    print(f"comparison   {arguments.output / 'comparison.html'}")
+
+
+if __name__ == "__main__":
+    main()
