@@ -41,7 +41,7 @@ class Quotient_tree
 public:
   // The references are kept.
   Quotient_tree(const Indexed_mesh& mesh, const Edge_constraints& constraints, const Half_mesh& half, const Context& context)
-    : m_mesh(mesh), m_constraints(constraints), m_half(half), m_context(context), m_touches_plane(mesh.number_of_vertices(), 0)
+    : m_half(half), m_context(context), m_touches_plane(mesh.number_of_vertices(), 0)
   {
     std::vector<CGAL::internal::Graph_kernel::Edge> edges;
     for(std::size_t i = 0; i < half.half().edges.size(); ++i)
@@ -111,8 +111,6 @@ private:
     return nearest;
   }
 
-  const Indexed_mesh& m_mesh;
-  const Edge_constraints& m_constraints;
   const Half_mesh& m_half;
   const Context m_context;
   std::vector<char> m_touches_plane; // per vertex

@@ -120,7 +120,8 @@ private:
     int end = -1;
     while(!queue.empty() && end < 0)
     {
-      const auto [cost, h] = queue.top();
+      const double cost = queue.top().first;
+      const int h = queue.top().second;
       queue.pop();
       if(cost > m_costs[h])
         continue;
