@@ -30,7 +30,7 @@ def differences(first, second):
 
 
 def interval(values, seed=0):
-    """Of the median, by the percentiles of resampled ones."""
+    """The interval of the median, by the percentiles of resampled ones."""
     numbers = np.random.default_rng(seed).integers(len(values), size=(RESAMPLES, len(values)))
     with np.errstate(invalid="ignore"):  # the middle between both infinities is no number, and sorted last
         medians = np.sort(np.median(values[numbers], axis=1))

@@ -1,4 +1,4 @@
-"""What is told of the records of all runs: tables of text, the first row of which has the headings."""
+"""Summaries of the records of all runs: tables of text, the first row of which has the headings."""
 
 import dataclasses
 import math

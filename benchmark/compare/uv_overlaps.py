@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 
 PAIRS_AT_ONCE = 4_000_000
-# Of the rounding errors of the determinant below (Shewchuk, Adaptive precision floating-point arithmetic, 1997), a little more.
+# A little more than the rounding errors of the determinant below (Shewchuk, Adaptive precision floating-point arithmetic, 1997)
 RELATIVE_ERROR = 4e-16
 SMALLEST = 1e-290  # of products, below which digits are lost
 

@@ -75,6 +75,17 @@ inline Charts copy_of(const Charts& charts)
   return copy;
 }
 
+inline double area_of(const Charts& charts)
+{
+  double area = 0;
+  for(const auto f : charts.mesh.faces())
+  {
+    const auto h = charts.mesh.halfedge(f);
+    area += CGAL::area(charts.uv[h], charts.uv[charts.mesh.next(h)], charts.uv[charts.mesh.prev(h)]);
+  }
+  return area;
+}
+
 inline Charts random_stars(CGAL::Random& random, int number)
 {
   Charts charts;

@@ -23,13 +23,7 @@ void test_random_charts(CGAL::Random& random)
       check_distances(charts, margin, 512);
       check_similarity(charts, result.scale);
       CHECK(CGAL::Surface_mesh_cutting::certify_packing(charts.mesh, charts.is_cut, charts.uv, np));
-      double area = 0;
-      for(const auto f : charts.mesh.faces())
-      {
-        const auto h = charts.mesh.halfedge(f);
-        area += CGAL::area(charts.uv[h], charts.uv[charts.mesh.next(h)], charts.uv[charts.mesh.prev(h)]);
-      }
-      CHECK(std::abs(result.fill - area) < 1e-9);
+      CHECK(std::abs(result.fill - area_of(charts)) < 1e-9);
       std::cout << number << " charts, margin " << margin << ": fill " << result.fill << std::endl;
 
       CGAL::Surface_mesh_cutting::pack_charts<CGAL::Parallel_if_available_tag>(others.mesh, others.is_cut, others.uv, np);

@@ -14,17 +14,6 @@
 
 namespace pages_test {
 
-double area_of(const Charts& charts)
-{
-  double area = 0;
-  for(const auto f : charts.mesh.faces())
-  {
-    const auto h = charts.mesh.halfedge(f);
-    area += CGAL::area(charts.uv[h], charts.uv[charts.mesh.next(h)], charts.uv[charts.mesh.prev(h)]);
-  }
-  return area;
-}
-
 template <typename Result, typename Parameters>
 void check(const Charts& charts, const Result& result, double margin, int texture_size, const Parameters& np)
 {

@@ -1,4 +1,4 @@
-"""What the tests of the comparison share: its modules, those of the tests of unwrap, and small maps."""
+"""Shared by the tests of the comparison: its modules, those of the tests of unwrap, and small maps."""
 
 import sys
 from pathlib import Path

@@ -47,7 +47,7 @@ class ByHand(unittest.TestCase):
                              partuv_worst_chart=1)
 
     def test_quantile(self):
-        """Of 100 squares, one is stretched: its two triangles have 1 % of the area."""
+        """One of 100 squares is stretched: its two triangles have 1 % of the area."""
         points, faces = grid(100, 1)
         uv = flat(points, faces)
         uv[-2:] = (uv[-2:] - (99, 0)) * (1, 3) + (200, 0)

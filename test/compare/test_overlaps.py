@@ -12,7 +12,7 @@ from uv_overlaps import box_pairs, overlapping_pairs
 
 
 def clipped_area(p, q):
-    """Of two counterclockwise triangles."""
+    """The area that two counterclockwise triangles have in common."""
     polygon = p
     for a, b in zip(q, q[1:] + q[:1]):
         def side(c):

@@ -44,7 +44,7 @@ needs: {PROGRAM} {{fails}} -o {{output}}
         self.assertEqual(found["silent"]["seconds"], 0.5)
         self.assertAlmostEqual(found["default"]["E_mean"], found["after"]["E_mean"], places=6)
         self.assertGreater(found["default"]["memory_mb"], 1)
-        # What was run is not run again.
+        # Former runs are not repeated.
         again = run_all(programs, find_meshes([self.folder]), self.folder / "out", 2, self.fail)
         self.assertEqual(again, {"mesh.obj": found})
         # A line that was left unfinished is none.
@@ -102,7 +102,7 @@ class Statistics(unittest.TestCase):
         self.assertEqual(paired_statistics.summary([1, None, 3]), (2, 2, 1))
 
     def test_interval(self):
-        """Of the median: covers it, and is that of the same seed."""
+        """The interval covers the median, and is that of the same seed."""
         values = np.random.default_rng(3).normal(5, 1, 100)
         low, high = paired_statistics.interval(values)
         self.assertEqual((low, high), paired_statistics.interval(values))

@@ -28,7 +28,7 @@ def patches(number, seed, is_mirrored=lambda i: False):
 
 class PackOnly(Case):
     def check_similar(self, before, after, scale=None):
-        """Of each chart, all distances are scaled by the same number, and no side changes; returns that number."""
+        """All distances of each chart are scaled by the same number, and no side changes; returns that number."""
         (_, uvs, faces), (_, moved, moved_faces) = read_obj(self.folder / before), read_obj(self.folder / after)
         chart = charts_of(moved_faces)
         self.assertEqual(len(set(charts_of(faces))), len(set(chart)))

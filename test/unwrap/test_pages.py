@@ -9,7 +9,7 @@ from support import Case, joined, main, read_obj, sphere, to_off, to_ply
 
 
 def area(points, face):
-    """Of a triangle in space or in the plane."""
+    """The area of a triangle in space or in the plane."""
     a, b = ([t - s for s, t in zip(points[face[0]], points[face[k]])] for k in (1, 2))
     return math.sqrt(max(0, sum(x * x for x in a) * sum(x * x for x in b) - sum(x * y for x, y in zip(a, b)) ** 2)) / 2
 

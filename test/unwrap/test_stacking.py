@@ -52,9 +52,10 @@ def scene(kinds):
 
 class Stacking(Case):
     def lengths(self, points, uvs, faces):
-        """Of each component, the lengths of the edges on the surface and in the plane."""
+        """The lengths, for each component, of the edges on the surface and in the plane."""
         size = len(part(0)[1])
-        return [sorted((round(math.dist(points[face[k][0]], points[face[k - 1][0]]), 6), round(math.dist(uvs[face[k][1]], uvs[face[k - 1][1]]), 6))
+        return [sorted((round(math.dist(points[face[k][0]], points[face[k - 1][0]]), 6),
+                        round(math.dist(uvs[face[k][1]], uvs[face[k - 1][1]]), 6))
                        for face in faces[i:i + size] for k in range(3)) for i in range(0, len(faces), size)]
 
     def test_congruent_parts(self):

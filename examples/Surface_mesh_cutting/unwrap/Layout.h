@@ -40,8 +40,8 @@ struct Layout
   // One point per UV vertex: corners share it unless a cut edge lies between them.
   std::vector<std::array<double, 2> > uv_points;
   std::vector<Triangle> uv_triangles;
-  // Of several pages, which lie side by side in the plane, that of each polygon; of files in which they lie on top of each
-  // other, also the corner of the page of each UV vertex.
+  // The page of each polygon, if there are several, which lie side by side in the plane; for files in which they lie on top of
+  // each other, also the corner of the page of each UV vertex.
   std::vector<int> polygon_pages;
   std::vector<std::array<double, 2> > page_corners;
   bool has_mirrored = false; // copies of charts, whose triangles are clockwise

@@ -39,7 +39,7 @@ struct Ply_header
     bool has_strips() const { return name == "tristrips"; }
   };
 
-  // Of the property of faces that lists the texture coordinates of corners.
+  // The name of the property of faces that lists the texture coordinates of corners.
   static std::string name_of_uvs(int set) { return set == 0 ? "texcoord" : "texcoord_" + std::to_string(set); }
 
   Format format = Format::TEXT;

@@ -76,8 +76,15 @@ Stacking::Stacking(const Surface& surface, double tolerance)
             { return h != Mesh::null_halfedge() && is_original[std::size_t(h)] != 0; }, m_originals, m_halfedges);
 }
 
-Halfedge Stacking::edge_of_original(Halfedge h) const { return m_halfedges[std::size_t(m_components.halfedge_of_original(int(h)))]; }
-Halfedge Stacking::corner_of_original(Halfedge h) const { return m_halfedges[std::size_t(m_components.corner_of_original(int(h)))]; }
+Halfedge Stacking::edge_of_original(Halfedge h) const
+{
+  return m_halfedges[std::size_t(m_components.halfedge_of_original(int(h)))];
+}
+
+Halfedge Stacking::corner_of_original(Halfedge h) const
+{
+  return m_halfedges[std::size_t(m_components.corner_of_original(int(h)))];
+}
 
 Constraints Stacking::constraints_of_originals(const Constraints& of_all)
 {

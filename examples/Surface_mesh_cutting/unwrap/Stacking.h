@@ -24,7 +24,7 @@ public:
   // One of each, without the corners of the soup.
   Surface& originals() { return m_originals; }
 
-  // What is said about an original or any of its copies; of costs the largest.
+  // The constraints of an original are those of itself and its copies, and its cost is the largest.
   Constraints constraints_of_originals(const Constraints& of_all);
 
   void copy_cut(Cut_map from, Cut_map to) const;

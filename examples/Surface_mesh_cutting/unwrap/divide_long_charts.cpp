@@ -1,17 +1,15 @@
 #include "divide_long_charts.h"
 
-#include "given_layout.h"
 #include "halfedge_arrays.h"
 #include "pack.h"
 #include "stop_request.h"
+#include "surface_numbers.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/Long_chart.h>
-#include <CGAL/squared_distance_3.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <vector>
@@ -50,7 +48,7 @@ double divide(const Mesh& mesh, Cut_map is_cut, UV_map uvs, double fill)
       const Halfedge h = Halfedge(Mesh::size_type(number));
       is_seam[h] = is_seam[mesh.opposite(h)] = 1;
       is_cut[mesh.edge(h)] = true;
-      length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+      length += edge_length(mesh, mesh.edge(h));
     }
   }
   return length;

@@ -167,7 +167,8 @@ private:
 
   // At its place among the others: some readers want it there.
   template <typename Numbers>
-  void put_attribute(const std::string& name, const char* type, std::size_t count, std::size_t uses, Json& attributes, Numbers numbers)
+  void put_attribute(const std::string& name, const char* type, std::size_t count, std::size_t uses, Json& attributes,
+                     Numbers numbers)
   {
     std::string bytes;
     for(std::size_t v = 0; v < count; ++v)

@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
@@ -57,14 +56,6 @@ void read_given_layout(const Polygon_soup& soup, const Surface& surface, Cut_map
     }
 }
 
-double diagonal_of(const Mesh& mesh)
-{
-  Eigen::AlignedBox3d box;
-  for(const Vertex v : mesh.vertices())
-    box.extend(Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()));
-  return box.diagonal().norm();
-}
-
 double scale_of_layout(const Mesh& mesh, UV_map uvs)
 {
   const auto adapter = SMC::internal::make_mesh_adapter(mesh, CGAL::parameters::default_values());
@@ -72,11 +63,8 @@ double scale_of_layout(const Mesh& mesh, UV_map uvs)
   double area = 0, uv_area = 0;
   for(int f = 0; f < adapter.mesh().number_of_faces(); ++f)
   {
-    const auto& t = adapter.mesh().triangles()[std::size_t(f)];
-    const auto& p = adapter.mesh().points();
-    area += (p[std::size_t(t[1])] - p[std::size_t(t[0])]).cross(p[std::size_t(t[2])] - p[std::size_t(t[0])]).norm();
-    const Eigen::Vector2d a = uv[std::size_t(3 * f + 1)] - uv[std::size_t(3 * f)], b = uv[std::size_t(3 * f + 2)] - uv[std::size_t(3 * f)];
-    uv_area += std::abs(a.x() * b.y() - a.y() * b.x());
+    area += adapter.mesh().face_area(f);
+    uv_area += std::abs(CGAL::Surface_mesh_parameterization::internal::triangle_area({{3 * f, 3 * f + 1, 3 * f + 2}}, uv));
   }
   const double scale = std::sqrt(uv_area) / adapter.to_original_scale(std::sqrt(area));
   if(!(scale > 0 && std::isfinite(scale)))
@@ -101,7 +89,7 @@ void tell_given_layout(const Mesh& mesh, Cut_map is_cut, UV_map uvs, Outcome& ou
   double length = 0;
   for(const Edge e : mesh.edges())
     if(get(is_cut, e))
-      length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+      length += edge_length(mesh, e);
   outcome.cut_length = length / diagonal_of(mesh);
   const SMC::Distortion_report<Mesh> measures = SMC::distortion_report(mesh, is_cut, uvs);
   if(measures && certificate.flips == 0)

@@ -14,9 +14,6 @@ void read_given_layout(const Polygon_soup& soup, const Surface& surface, Cut_map
 // Its scale: that of an equal area, in UV units per unit of length.
 double scale_of_layout(const Mesh& mesh, UV_map uvs);
 
-// Of the bounding box.
-double diagonal_of(const Mesh& mesh);
-
 // Whether charts overlap themselves or each other.
 bool has_overlaps(const Mesh& mesh, Cut_map is_cut, UV_map uvs);
 

@@ -46,7 +46,7 @@ std::vector<double> numbers_of(const Json& object, const char* key, std::size_t 
 // Visits all members of all objects in `json`.
 void for_each_member(const Json& json, const std::function<void(const std::string& key, const Json& value)>& visit);
 
-// Of the attribute that holds a set of texture coordinates.
+// The name of the attribute that holds a set of texture coordinates.
 inline std::string name_of_uvs(int set) { return "TEXCOORD_" + std::to_string(set); }
 
 } // namespace gltf

@@ -115,7 +115,8 @@ std::string list_outdated(const Document& document, int uv_set, bool has_new_tan
   const Json& description = document.description();
   const std::set<std::string> attributes = names_of_attributes(description);
   const bool has_textures = attributes.count(name_of_uvs(uv_set)) != 0
-                            && (uv_set == 0 ? !list(description, "textures").empty() : has_textures_of(description, std::size_t(uv_set)));
+                            && (uv_set == 0 ? !list(description, "textures").empty()
+                                            : has_textures_of(description, std::size_t(uv_set)));
   const bool has_tangents = uv_set == 0 && attributes.count("TANGENT") != 0 && !has_new_tangents;
   return std::string(has_textures ? "textures" : "") + (has_textures && has_tangents ? " and " : "")
          + (has_tangents ? "tangents" : "");

@@ -85,7 +85,7 @@ std::string up_axis(const Options& options)
   return !options.up.empty() ? options.up : is_for_printing(options.input) ? "z" : "y";
 }
 
-// What was asked for; null stands for no bound.
+// The bounds that were asked for; null stands for none.
 nlohmann::ordered_json bounds(const Options& options)
 {
   const auto or_null = [](const std::optional<double>& bound)

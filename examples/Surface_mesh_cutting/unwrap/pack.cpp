@@ -4,14 +4,11 @@
 #include "file_extension.h"
 #include "given_layout.h"
 #include "single_precision.h"
+#include "surface_numbers.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/rotation_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
 #include <CGAL/Surface_mesh_cutting/pack_charts.h>
-
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <chrono>
 #include <ctime>
@@ -22,15 +19,6 @@
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
-namespace PMP = CGAL::Polygon_mesh_processing;
-
-int number_of_charts(const Mesh& mesh, Cut_map is_cut)
-{
-  std::vector<int> chart_of_face(mesh.number_of_faces());
-  return int(PMP::connected_components(
-    mesh, boost::make_iterator_property_map(chart_of_face.begin(), get(boost::face_index, mesh)),
-    CGAL::parameters::edge_is_constrained_map(is_cut)));
-}
 
 void add_packing(Phase_seconds& phases, double seconds)
 {

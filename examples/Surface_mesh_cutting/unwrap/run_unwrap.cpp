@@ -270,7 +270,7 @@ int available_threads()
 
 namespace {
 
-// What parts of the layout are made of: the surface, or one of each kind of its parts.
+// The surface that is cut and mapped: the whole, or one of each kind of its parts.
 struct Work
 {
   Surface& surface;

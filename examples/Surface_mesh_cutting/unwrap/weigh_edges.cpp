@@ -6,6 +6,7 @@
 #include "named_elements.h"
 #include "outcome.h"
 #include "stop_request.h"
+#include "surface_numbers.h"
 #include "vertex_colors.h"
 
 #include <CGAL/Surface_mesh_cutting/crease_weights.h>
@@ -41,8 +42,7 @@ void multiply_by_file(const std::string& path, const Named_elements& names, bool
   for(const Edge_weight& given : read_edge_weights(path))
     for(const Edge e : names.find_edges(path, given.edge))
     {
-      const double length
-        = std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+      const double length = edge_length(mesh, e);
       weights[e] = is_first || !(length > 0) ? given.weight : product(weights[e], given.weight / length);
     }
 }

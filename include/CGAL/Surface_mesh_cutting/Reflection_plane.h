@@ -26,7 +26,8 @@ struct Reflection_plane
 {
   std::array<double, 3> normal = {{1, 0, 0}}; ///< a unit vector, of which the largest coordinate is positive.
   double offset = 0;     ///< the scalar product of the normal with points of the plane.
-  double matched = 0;    ///< share of the vertices that the reflection brings within 0.4 % of the bounding box diagonal of the surface.
+  /// share of the vertices that the reflection brings within 0.4 % of the bounding box diagonal of the surface.
+  double matched = 0;
   bool is_exact = false; ///< whether the reflection also maps vertices to vertices and edges to edges.
 };
 

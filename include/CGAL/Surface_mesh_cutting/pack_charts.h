@@ -137,7 +137,8 @@ namespace Surface_mesh_cutting {
 /// \return the scale, the filled area and the number of charts. Its `status` is one of
 /// - `Status_code::OK`;
 /// - `Status_code::NOT_CERTIFIED`, with the faces concerned, if UVs are not finite, differ where no edge is cut, or a
-///   triangle is not counterclockwise (unless `allow_flips`), or, with `do_bijective`, if triangles overlap; or if rounding spoils the result;
+///   triangle is not counterclockwise (unless `allow_flips`), or, with `do_bijective`, if triangles overlap; or if rounding spoils
+///   the result;
 /// - `Status_code::INFEASIBLE_CONSTRAINTS` if there are so many charts that their margins leave no room; with
 ///   `texels_per_unit`, if a chart is larger than a page, or the charts find no room on `number_of_pages` pages;
 /// - `Status_code::WRONG_PARAMETER`;

@@ -80,7 +80,7 @@ struct Reflection_symmetry
 ///
 /// The search is geometric and does not need a symmetric triangulation: planes in all directions move to where the
 /// reflected vertices come closest to the surface. Where a plane maps the mesh to itself, which is found by following its
-/// edges, the symmetry is exact, and the plane is the one that maps vertices to their images best. Of several planes
+/// edges, the symmetry is exact, and the plane is the one that maps vertices to their images best. Among several planes
 /// within ten degrees, one is found; surfaces of revolution have a few of their infinitely many planes.
 ///
 /// The time is \f$ O(n \log n) \f$ on most surfaces.

@@ -11,7 +11,7 @@ function gathered(source, size, indices) {
 // Pages lie side by side, ten in a row.
 const numberOfPages = report.pages || 1;
 
-// What of the plane to show: the pages, or all charts at the scale of the surface.
+// The part of the plane to show: the pages, or all charts at the scale of the surface.
 function layoutBox() {
   if (report.fill !== null)
     return {low: [0, 0], high: [Math.min(numberOfPages, 10), Math.ceil(numberOfPages / 10)]};

@@ -48,12 +48,11 @@ public:
   const Indexed_component& half() const { return m_half; }
   // Whether each edge lies in the plane, between both halves.
   const Cut& plane() const { return m_plane; }
-  bool is_in_half(int face) const { return m_is_in_half[face]; }
 
   int image(int e) const { return m_symmetry.edge_images[e]; } // -1 of a diagonal
   int vertex_image(int v) const { return m_symmetry.images[v]; }
 
-  // What is marked in the half and its mirror image.
+  // The marked edges of the half, and their mirror images.
   Cut unfolded(const Cut& cut) const
   {
     Cut whole(m_mesh.number_of_edges(), 0);

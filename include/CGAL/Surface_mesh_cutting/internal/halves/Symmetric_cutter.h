@@ -85,7 +85,7 @@ private:
     return result.has_result && result.status.finding.code == Status_code::BOUND_NOT_REACHED;
   }
 
-  // Of two cuts that miss the bound, that with the lower energy.
+  // Takes, if both cuts miss the bound, that with the lower energy.
   void take_better(Mesh_result result, const Mesh_result& of_half, Mesh_result& best) const
   {
     CGAL::internal::Graph_kernel::add_unique(m_half.unfolded(of_half.features), result.features);
@@ -96,7 +96,7 @@ private:
       best = std::move(result);
   }
 
-  // What is asked for on one side holds on both. Edges without an image are not cut.
+  // Constraints of one side hold on both. Edges without an image are not cut.
   static Cutting_constraints folded(Cutting_constraints constraints, const Half_mesh& half)
   {
     const Cutting_constraints given = constraints;
@@ -127,13 +127,11 @@ private:
     for(int e = 0; e < half.mesh.number_of_edges(); ++e)
       if(half.mesh.is_border_edge(e))
         constraints.edges.mandatory[e] = constraints.initial[e] = 0;
-    for(int v = 0; v < half.mesh.number_of_vertices(); ++v)
-      if(std::binary_search(m_constraints.terminals.begin(), m_constraints.terminals.end(), half.vertices[v]))
-        constraints.terminals.push_back(v);
+    constraints.terminals = terminals_of_half();
     Cutting_parameters parameters = m_context.parameters;
     parameters.seam_smoothness = 0; // later, for both
     parameters.maximum_average_distortion = bound;
-    // What a cut of the half costs comes twice.
+    // Each edge of a cut of the half is cut twice.
     if(std::find(m_half.plane().begin(), m_half.plane().end(), char(1)) != m_half.plane().end())
       parameters.decrease_per_cost *= 2 * bounding_box_diagonal(half.mesh) / bounding_box_diagonal(m_mesh);
     Run_control control(m_context.control, share_of_run);
@@ -170,13 +168,23 @@ private:
       .run(output);
   }
 
-  // Of the half: where the caller wants a cut.
+  std::vector<int> terminals_of_half() const
+  {
+    const std::vector<int>& given = m_constraints.terminals;
+    std::vector<int> terminals;
+    for(int v = 0; v < int(m_half.half().vertices.size()); ++v)
+      if(std::binary_search(given.begin(), given.end(), m_half.half().vertices[v]))
+        terminals.push_back(v);
+    return terminals;
+  }
+
+  // Marks the vertices of the half where the caller wants a cut.
   std::vector<char> kept_vertices(const Cut& mandatory) const
   {
     const Indexed_component& half = m_half.half();
     std::vector<char> is_kept(half.mesh.number_of_vertices(), 0);
-    for(int v = 0; v < half.mesh.number_of_vertices(); ++v)
-      is_kept[v] = std::binary_search(m_constraints.terminals.begin(), m_constraints.terminals.end(), half.vertices[v]);
+    for(const int v : terminals_of_half())
+      is_kept[v] = 1;
     for(int e = 0; e < half.mesh.number_of_edges(); ++e)
       if(mandatory[e])
         is_kept[half.mesh.source(half.mesh.halfedge(e))] = is_kept[half.mesh.target(half.mesh.halfedge(e))] = 1;

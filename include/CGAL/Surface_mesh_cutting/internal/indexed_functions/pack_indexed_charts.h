@@ -117,7 +117,7 @@ inline Indexed_status certify_rounded(const Corner_table& chart, const std::vect
   return status;
 }
 
-// Of the charts on each page.
+// The area of the charts on each page.
 inline std::vector<double> page_fills(const Corner_table& chart, const Connected_parts& parts, const Packed_charts& packed,
                                       const std::vector<Eigen::Vector2d>& uv)
 {

@@ -82,7 +82,7 @@ private:
   double height(int i, bool is_turned) const { return width(i, !is_turned); }
   double end_of(std::size_t piece) const { return piece + 1 < m_skyline.size() ? m_skyline[piece + 1].begin : m_side; }
 
-  // Of the pieces at its sides.
+  // The heights of the pieces at the sides of a gap.
   double height_before(std::size_t gap) const
   { return gap > 0 ? m_skyline[gap - 1].height : std::numeric_limits<double>::infinity(); }
   double height_behind(std::size_t gap) const

@@ -46,10 +46,7 @@ public:
   {
     for(std::size_t i = 0; i < outlines.size(); ++i)
     {
-      const double c = std::cos(m_angles[i]), s = std::sin(m_angles[i]);
-      m_boxes.emplace_back();
-      for(const Eigen::Vector2d& p : outlines[i].hull)
-        m_boxes.back().add(Eigen::Vector2d(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
+      m_boxes.push_back(outlines[i].box(m_angles[i]));
       const double area = m_boxes.back().size().prod();
       m_area += area;
       m_are_full = m_are_full && outlines[i].area >= full_share * area;

@@ -46,14 +46,27 @@ struct Chart_outline
   Eigen::Vector2d center;            // what the origin was moved to
   double area = 0;
 
-  // The extent in the two directions of a frame turned by `angle`.
-  Eigen::Vector2d extent(double angle) const
+  // The box around the chart turned by `angle`.
+  Surface_mesh_parameterization::internal::Bounding_box<2> box(double angle) const
   {
     const double c = std::cos(angle), s = std::sin(angle);
     Surface_mesh_parameterization::internal::Bounding_box<2> box;
     for(const Eigen::Vector2d& p : hull)
       box.add(Eigen::Vector2d(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
-    return box.size();
+    return box;
+  }
+
+  Eigen::Vector2d extent(double angle) const { return box(angle).size(); }
+
+  double hull_area() const
+  {
+    double area = 0;
+    for(std::size_t i = 0; i < hull.size(); ++i)
+    {
+      const Eigen::Vector2d &p = hull[i], &q = hull[(i + 1) % hull.size()];
+      area += 0.5 * (p.x() * q.y() - p.y() * q.x());
+    }
+    return area;
   }
 };
 
@@ -70,29 +83,32 @@ inline std::vector<Eigen::Vector2d> convex_hull(const std::vector<Outline_segmen
   return hull;
 }
 
-// The scale at which charts and half of the margin around each fill pages without a gap. What is around a chart has at least
-// the area that it has around a disk of that area (the inequality of Brunn and Minkowski), and what is around a convex one
-// has that of its perimeter.
+// The scale at which charts of such an area and perimeter, each with half of the margin around, take this much room; there has to
+// be some besides the corners of the margins.
+inline double scale_that_fills(double room, double area, double perimeter, double margin, std::size_t number)
+{
+  room -= 0.25 * margin * margin * CGAL_PI * double(number);
+  const double linear = 0.25 * margin * perimeter;
+  return room > 0 ? room / (linear + std::sqrt(linear * linear + area * room)) : 0; // area * scale^2 + 2 * linear * scale = room
+}
+
+// The scale at which charts and half of the margin around each fill pages without a gap. The margin around a chart has at least
+// the area that it has around a disk of the same area (the inequality of Brunn and Minkowski), and around a convex chart, it has
+// that of the perimeter.
 inline double largest_scale_of_areas(const std::vector<Chart_outline>& outlines, double margin, int pages)
 {
   constexpr double rounding = 1e-9;
   double area = 0, perimeter = 0;
   for(const Chart_outline& outline : outlines)
   {
-    double hull_area = 0, hull_perimeter = 0;
+    double hull_perimeter = 0;
     for(std::size_t i = 0; i < outline.hull.size(); ++i)
-    {
-      const Eigen::Vector2d &p = outline.hull[i], &q = outline.hull[(i + 1) % outline.hull.size()];
-      hull_area += 0.5 * (p.x() * q.y() - p.y() * q.x());
-      hull_perimeter += (q - p).norm();
-    }
-    const bool is_convex = outline.area > (1 - rounding) * hull_area;
+      hull_perimeter += (outline.hull[(i + 1) % outline.hull.size()] - outline.hull[i]).norm();
+    const bool is_convex = outline.area > (1 - rounding) * outline.hull_area();
     area += outline.area;
     perimeter += is_convex ? hull_perimeter : 2 * std::sqrt(CGAL_PI * outline.area);
   }
-  const double linear = 0.25 * margin * perimeter, disks = 0.25 * margin * margin * CGAL_PI * double(outlines.size());
-  const double room = (std::max)(0., pages * (1 - margin) * (1 - margin) - disks);
-  return room / (linear + std::sqrt(linear * linear + area * room)); // the root of area * scale^2 + 2 * linear * scale = room
+  return scale_that_fills(pages * (1 - margin) * (1 - margin), area, perimeter, margin, outlines.size());
 }
 
 // One outline per part of `chart`, times `factor`. O(n log n).

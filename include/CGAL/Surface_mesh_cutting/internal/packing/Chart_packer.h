@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What charts may be packed into, and up to which common scale.
+// The pages that charts may be packed into, and the largest common scale.
 struct Page_demand
 {
   int most_pages = 1;
@@ -77,9 +77,7 @@ public:
       return std::nullopt;
     if(m_outlines.size() == 1)
       return pack_one();
-    choose_turns();
-    choose_strategies();
-    find_limit();
+    prepare();
     std::optional<Packed_charts> boxes = chart_boxes().pack_at(m_demand.most_scale);
     if(boxes && boxes->number_of_pages() == 1)
       return boxes;
@@ -98,9 +96,7 @@ public:
       return std::nullopt;
     if(m_outlines.size() == 1)
       return m_best = pack_one();
-    choose_turns();
-    choose_strategies();
-    find_limit();
+    prepare();
     Chart_boxes boxes = chart_boxes();
     m_boxes = boxes.pack(m_limit, m_control);
     m_are_done = m_boxes && are_boxes_enough(boxes, m_boxes->scale);
@@ -134,6 +130,13 @@ private:
   static constexpr std::size_t strategies_on_fine_grids = 2;
 
   bool are_many() const { return int(m_outlines.size()) > many; }
+
+  void prepare()
+  {
+    choose_turns();
+    choose_strategies();
+    find_limit();
+  }
 
   // Cells along a side. On the finest grid, charts of average size are some dozen cells wide; the time to place one grows with
   // its cells.
@@ -195,10 +198,7 @@ private:
     Chart_motion& motion = packed.motions.front();
     motion.angle = smallest_angle(outline);
     packed.scale = (std::min)(side() * (1 - rounding) / outline.extent(motion.angle).maxCoeff(), m_demand.most_scale);
-    const double c = std::cos(motion.angle), s = std::sin(motion.angle);
-    Surface_mesh_parameterization::internal::Bounding_box<2> box;
-    for(const Eigen::Vector2d& p : outline.hull)
-      box.add(Eigen::Vector2d(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
+    const auto box = outline.box(motion.angle);
     motion.translation = Eigen::Vector2d::Constant(0.5) - 0.5 * packed.scale * (box.low + box.high);
     return packed;
   }
@@ -232,7 +232,7 @@ private:
     m_strategies = Packing_strategies(m_outlines, are_many(), has_shuffled).take();
   }
 
-  // Of the scale. The chart that fills the square first may lie as it has to then.
+  // Limits the scale. The chart that fills the square first may lie as it has to then.
   void find_limit()
   {
     m_limit = (std::min)(largest_scale(), m_demand.most_scale);
@@ -274,11 +274,9 @@ private:
       for(std::size_t i = 0; i < outline.hull.size(); ++i)
         perimeter += (outline.hull[(i + 1) % outline.hull.size()] - outline.hull[i]).norm();
     }
-    const double linear = 0.25 * m_margin * perimeter, disks = 0.25 * m_margin * m_margin * CGAL_PI * double(m_outlines.size());
-    const double room = hopeful_fill * m_demand.most_pages * (side() + m_margin) * (side() + m_margin) - disks;
-    // The root of area * scale^2 + 2 * linear * scale = room.
-    const double scale = room > 0 ? room / (linear + std::sqrt(linear * linear + area * room)) : side() * std::sqrt(hopeful_fill / area);
-    return (std::min)(m_limit, scale);
+    const double room = hopeful_fill * m_demand.most_pages * (side() + m_margin) * (side() + m_margin);
+    const double scale = scale_that_fills(room, area, perimeter, m_margin, m_outlines.size());
+    return (std::min)(m_limit, scale > 0 ? scale : side() * std::sqrt(hopeful_fill / area));
   }
 
   // Scales up by `factor`, while that succeeds again and again if it `does_repeat`, and then by less, until steps are below

@@ -69,7 +69,8 @@ inline std::vector<Chart_masks> chart_masks(Execution execution, const std::vect
   return masks;
 }
 
-// Fills one grid after the other with charts, which leaves each chart on the first one with a place for it. Many charts of similar size are not tried again where the ones before found no place.
+// Fills one grid after the other with charts: each chart lies on the first one with a place for it. Many charts of similar size are
+// not tried again where the ones before found no place.
 class Grid_packing
 {
 public:

@@ -139,25 +139,25 @@ private:
     queue.push({0, first});
     while(!queue.empty())
     {
-      const auto [distance, face] = queue.top();
+      const double distance = queue.top().first;
+      const int face = queue.top().second;
       queue.pop();
       if(is_done[std::size_t(face)])
         continue;
       order.push_back(face);
       const Eigen::Vector2d center = middle(face);
       for_each_side(face, [&](int h) { is_done[std::size_t(h)] = 1; });
-      const double so_far = distance;
       for_each_side(face, [&](int h)
       {
         if(is_joined(h) && !is_done[std::size_t(m_mesh.opposite[h])])
-          queue.push({so_far + (middle(m_mesh.opposite[h]) - center).norm(), m_mesh.opposite[h]});
+          queue.push({distance + (middle(m_mesh.opposite[h]) - center).norm(), m_mesh.opposite[h]});
       });
     }
     return order;
   }
 
-  // Between the added faces and the others of the chart. What the others enclose, or would be enclosed, has no border in
-  // common with the chart and goes to the other side: both sides are to be without holes.
+  // The sides between the added faces and the others of the chart. Faces that the other side encloses have no border in common
+  // with the chart and go to that side: both sides are to be without holes.
   std::vector<int> sides_between(std::vector<char>& is_added) const
   {
     std::vector<char> is_met(m_mesh.next.size(), 0);

@@ -93,7 +93,7 @@ private:
     return texels >= margin && m_margin.texture_size - texels >= margin;
   }
 
-  // Of the page at the middle of each part.
+  // The page at the middle of each part.
   std::vector<int> pages_of_parts() const
   {
     std::vector<Surface_mesh_parameterization::internal::Bounding_box<2> > boxes(m_parts.number);

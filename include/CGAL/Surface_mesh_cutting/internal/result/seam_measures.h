@@ -35,8 +35,8 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What a way turns beyond the smoothest one nearby: that turns in each place by the mean of what is around it, so that left
-// and right cancel out, and a bend remains.
+// The turning of a way beyond that of the smoothest one nearby, which turns in each place by the mean of the turnings around it:
+// left and right cancel out, and a bend remains.
 inline double excess_turning(const std::vector<double>& turnings)
 {
   constexpr int reach = 2; // vertices on each side: zigzags have a period of two or three edges
@@ -83,7 +83,7 @@ std::optional<double> mean_along_cut(const Indexed_mesh& mesh, const Cut& cut, E
   return length > 0 ? std::make_optional(sum / length) : std::nullopt;
 }
 
-// Of the map given by `uv`, one for each vertex of the chart, which has an area.
+// Measures the map given by `uv`, one for each vertex of the chart, which has an area.
 inline Seam_measures seam_measures(const Indexed_mesh& mesh, const Cut& cut, const Corner_table& chart,
                                    const std::vector<Eigen::Vector2d>& uv, Execution execution)
 {
@@ -101,15 +101,10 @@ inline Seam_measures seam_measures(const Indexed_mesh& mesh, const Cut& cut, con
   double area = 0, compactness = 0, convexity = 0;
   for(const Chart_outline& outline : chart_outlines(chart, Connected_parts(chart.opposites()), uv, 1))
   {
-    double perimeter = 0, hull_area = 0;
+    const double chart_area = std::abs(outline.area), hull_area = outline.hull_area();
+    double perimeter = 0;
     for(const Outline_segment& s : outline.segments)
       perimeter += (s.target - s.source).norm();
-    for(std::size_t i = 0; i < outline.hull.size(); ++i)
-    {
-      const Eigen::Vector2d &p = outline.hull[i], &q = outline.hull[(i + 1) % outline.hull.size()];
-      hull_area += 0.5 * (p.x() * q.y() - p.y() * q.x());
-    }
-    const double chart_area = std::abs(outline.area);
     if(!(perimeter > 0 && hull_area > 0))
       continue;
     area += chart_area;

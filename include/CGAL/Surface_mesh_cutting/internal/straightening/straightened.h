@@ -42,8 +42,8 @@ struct Straightening
   }
 };
 
-// Straighter ways between the forks and ends of a cut, and the vertices that are kept. All of them together, or any of them, raise its
-// cost by at most `share`: what one way does not use of it is left to the next ones.
+// Straighter ways between the forks and ends of a cut, and the vertices that are kept. All of them together, or any of them, raise
+// its cost by at most `share`: what one way does not use of it is left to the next ones.
 inline std::vector<Straightening> straightenings(const Indexed_mesh& mesh, const Edge_constraints& constraints, const Cut& cut,
                                                  const std::vector<char>& is_kept, double share)
 {

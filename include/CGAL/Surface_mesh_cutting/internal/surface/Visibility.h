@@ -18,19 +18,11 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/lengths.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/parts_inside_out.h>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Triangle_tree.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 
-#include <CGAL/AABB_tree.h>
-#if CGAL_VERSION_NR < 1060000000
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#else
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#endif
 #include <CGAL/number_type_config.h>
 #include <CGAL/Random.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -45,25 +37,14 @@ namespace internal {
 // Which part of the light from a hemisphere reaches the middle of an edge.
 class Visibility
 {
-  using Kernel = Simple_cartesian<double>;
-  using Triangles = std::vector<Kernel::Triangle_3>;
-#if CGAL_VERSION_NR < 1060000000
-  using Primitive = AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  using Tree = AABB_tree<AABB_traits<Kernel, Primitive> >;
-#else
-  using Primitive = AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
-  using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive> >;
-#endif
+  using Kernel = Triangle_tree::Kernel;
 
 public:
   // O(n log n). The same directions, relative to the axis of the view, serve all edges.
   Visibility(const Indexed_mesh& mesh, const View& view)
     : m_mesh(mesh), m_is_inside_out(inside_out(mesh)), m_axis(view.axis.stableNormalized()), m_radius(view.radius * bounding_box_diagonal(mesh)),
-      m_directions(random_directions(view)), m_triangles(proper_triangles(mesh)),
-      m_tree(m_triangles.begin(), m_triangles.end())
-  {
-    m_tree.build();
-  }
+      m_directions(random_directions(view)), m_triangles(mesh)
+  {}
 
   // The part of the rays from the middle of the edge that leave the surface behind: 0 if the edge
   // is hidden, 1 if nothing is in the way. Can be called by several threads.
@@ -111,28 +92,13 @@ private:
     return directions;
   }
 
-  // Those without area are no obstacle, and no legal argument of the intersection tests.
-  static Triangles proper_triangles(const Indexed_mesh& mesh)
-  {
-    Triangles triangles;
-    for(const Triangle& t : mesh.triangles())
-    {
-      const Kernel::Triangle_3 triangle(point(mesh.point(t[0])), point(mesh.point(t[1])),
-                                        point(mesh.point(t[2])));
-      if(!triangle.is_degenerate())
-        triangles.push_back(triangle);
-    }
-    return triangles;
-  }
-
-  static Kernel::Point_3 point(const Point& p) { return {p.x(), p.y(), p.z()}; }
-
   bool is_free(const Point& origin, const Eigen::Vector3d& direction) const
   {
+    const auto to_cgal = Triangle_tree::to_cgal;
     if(std::isfinite(m_radius))
-      return !m_tree.do_intersect(Kernel::Segment_3(point(origin), point(origin + m_radius * direction)));
-    return !m_tree.do_intersect(Kernel::Ray_3(
-      point(origin), Kernel::Direction_3(direction.x(), direction.y(), direction.z())));
+      return !m_triangles.tree().do_intersect(Kernel::Segment_3(to_cgal(origin), to_cgal(origin + m_radius * direction)));
+    return !m_triangles.tree().do_intersect(Kernel::Ray_3(
+      to_cgal(origin), Kernel::Direction_3(direction.x(), direction.y(), direction.z())));
   }
 
   const Indexed_mesh& m_mesh;
@@ -140,8 +106,7 @@ private:
   const Eigen::Vector3d m_axis; // zero for the normals of the edges
   const double m_radius;
   const std::vector<Eigen::Vector3d> m_directions;
-  const Triangles m_triangles;
-  Tree m_tree;
+  const Triangle_tree m_triangles;
 };
 
 } // namespace internal

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What is known of a reflection of a mesh.
+// A reflection of a mesh, and how well it maps the mesh to itself.
 struct Indexed_symmetry
 {
   static constexpr double least_match = 0.98; // less is no symmetry

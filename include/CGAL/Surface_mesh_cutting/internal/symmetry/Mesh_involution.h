@@ -58,7 +58,7 @@ public:
   // Whether all sides of polygons have an image.
   bool is_complete() const { return m_is_complete; }
   const std::vector<int>& vertex_images() const { return m_vertex_images; }
-  // Of an edge that is no diagonal.
+  // The image of an edge that is no diagonal.
   int edge_image(int e) const { return m_mesh.edge(m_images[m_mesh.halfedge(e)]); }
 
   // The plane that maps vertices to their images best, with the least sum of squares.

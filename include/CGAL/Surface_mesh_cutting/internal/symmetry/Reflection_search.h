@@ -106,7 +106,7 @@ public:
     return {refined({normal, normal.dot(m_centroid)}, false, many_samples, last_steps)};
   }
 
-  // What the reflection does with the vertices.
+  // Matches the reflected vertices with the surface.
   Matches matches(const Reflection& reflection) const
   {
     Matches result;
@@ -204,8 +204,8 @@ private:
     return result;
   }
 
-  // Moves the plane, in steps of Gauss and Newton for the distances of the reflected points from the surface. What is far from it
-  // counts little: it may have no counterpart.
+  // Moves the plane, in steps of Gauss and Newton for the distances of the reflected points from the surface. Points far from it
+  // count little: they may have no counterpart.
   Reflection refined(Reflection reflection, bool turns, std::size_t number_of_samples, int number_of_steps) const
   {
     const std::vector<Point> points = samples(number_of_samples);

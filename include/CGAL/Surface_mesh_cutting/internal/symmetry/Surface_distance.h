@@ -15,19 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
-
-#include <CGAL/AABB_tree.h>
-#if CGAL_VERSION_NR < 1060000000
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#else
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#endif
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
-#include <vector>
+#include <CGAL/Surface_mesh_cutting/internal/surface/Triangle_tree.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -36,16 +24,6 @@ namespace internal {
 // Finds the point of a surface that is closest to another one.
 class Surface_distance
 {
-  using Kernel = Simple_cartesian<double>;
-  using Triangles = std::vector<Kernel::Triangle_3>;
-#if CGAL_VERSION_NR < 1060000000
-  using Primitive = AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  using Tree = AABB_tree<AABB_traits<Kernel, Primitive> >;
-#else
-  using Primitive = AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
-  using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive> >;
-#endif
-
 public:
   struct Closest
   {
@@ -53,43 +31,28 @@ public:
     int vertex; // of the closest face, the nearest one
   };
 
-  // O(n log n).
-  explicit Surface_distance(const Indexed_mesh& mesh) : m_mesh(mesh)
+  // O(n log n). The reference is kept.
+  explicit Surface_distance(const Indexed_mesh& mesh) : m_mesh(mesh), m_triangles(mesh)
   {
-    for(int f = 0; f < mesh.number_of_faces(); ++f)
-    {
-      const Triangle& t = mesh.triangles()[f];
-      const Kernel::Triangle_3 triangle(to_cgal(mesh.point(t[0])), to_cgal(mesh.point(t[1])), to_cgal(mesh.point(t[2])));
-      if(triangle.is_degenerate()) // is no legal argument of the queries
-        continue;
-      m_triangles.push_back(triangle);
-      m_faces.push_back(f);
-    }
-    m_tree.insert(m_triangles.begin(), m_triangles.end());
-    m_tree.build();
-    m_tree.accelerate_distance_queries();
+    m_triangles.tree().accelerate_distance_queries();
   }
 
-  bool is_empty() const { return m_triangles.empty(); }
+  bool is_empty() const { return m_triangles.is_empty(); }
 
   // Can be called by several threads.
   Closest closest(const Point& p) const
   {
-    const auto [q, place] = m_tree.closest_point_and_primitive(to_cgal(p));
+    const auto [q, place] = m_triangles.tree().closest_point_and_primitive(Triangle_tree::to_cgal(p));
     Closest result{Point(q.x(), q.y(), q.z()), -1};
-    for(const int v : m_mesh.triangles()[m_faces[std::size_t(place - m_triangles.begin())]])
+    for(const int v : m_mesh.triangles()[m_triangles.face(place)])
       if(result.vertex < 0 || (m_mesh.point(v) - p).squaredNorm() < (m_mesh.point(result.vertex) - p).squaredNorm())
         result.vertex = v;
     return result;
   }
 
 private:
-  static Kernel::Point_3 to_cgal(const Point& p) { return {p.x(), p.y(), p.z()}; }
-
   const Indexed_mesh& m_mesh;
-  Triangles m_triangles;
-  std::vector<int> m_faces; // of the triangles
-  Tree m_tree;
+  Triangle_tree m_triangles;
 };
 
 } // namespace internal

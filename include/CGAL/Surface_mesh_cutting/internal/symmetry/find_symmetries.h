@@ -77,8 +77,8 @@ inline bool find_images(const Indexed_mesh& mesh, const Cut& left_out, const std
   return true;
 }
 
-// What is known of the symmetry at a plane; its place gets exact where it maps the mesh to itself. Of meshes that were mirrored as
-// quadrangles and divided later, only vertices and some edges are: then the others count as diagonals.
+// The symmetry at a plane; its place gets exact where it maps the mesh to itself. Meshes that were mirrored as quadrangles and
+// divided later have only vertices and some edges mirrored: the other edges then count as diagonals.
 inline Indexed_symmetry symmetry_at(const Indexed_mesh& mesh, const Cut& diagonals, const Reflection_search& search,
                                     const Reflection& reflection)
 {
