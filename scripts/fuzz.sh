@@ -27,12 +27,12 @@ esac
 "$root/scripts/install_dependencies.sh" build sanitize
 "$root/scripts/get_data.sh"
 cd "$root"
-cmake --preset clang --log-level=NOTICE
-cmake --build build/clang --target "fuzz_$target"
+cmake --preset address --log-level=NOTICE
+cmake --build build/address --target "fuzz_$target"
 
 folder=build/fuzz/$target
 mkdir -p "$folder/inputs"
 python3 -B test/fuzz/make_seeds.py "$target" build/data/meshes "$folder/inputs"
 cd "$folder"
-"$root/build/clang/bin/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=20000 \
+"$root/build/address/bin/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=20000 \
   -close_fd_mask=1 -print_final_stats=1 "$@" inputs

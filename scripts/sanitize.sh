@@ -16,7 +16,7 @@ preset=${1:-address}
 targets=()
 case $preset in
   address) [ $# -gt 0 ] || set -- --label-exclude '^slow$' --exclude-regex '^merge_check|install|readme' ;;
-  program) preset=clang
+  program) preset=address
            targets=(--target unwrap)
            set -- --tests-regex '^unwrap_(usage|reading|limits|unusual)$' ;;
   thread)  targets=(--target unwrap test_feature_points test_steiner_tree_parallel)
