@@ -31,7 +31,7 @@ namespace internal {
 // slits, so that parts can bend apart, and several charts; the objective decides.
 class Room_search
 {
-  static constexpr double ideal = Symmetric_Dirichlet_energy::ideal, infinity = std::numeric_limits<double>::infinity();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
 public:
   // The references are kept. `moves_ends`: whether the ends of cuts that have room are moved.
@@ -51,15 +51,12 @@ public:
     crowded.trade_offs.clear();
     constexpr double much = 0.05; // relative
     const double limit = (1 + much) * m_objective(refiner.cut().cost(), running.energy);
-    if(m_parameters.widens_search() || (result.has_map && result.energy - goal <= near * (goal - ideal)))
-      open_slits(crowded, running, goal, result);
+    open_slits(crowded, running, goal, result);
     if(!keeps_bound(result) || value(result) > limit)
       divide(crowded, running, goal, result);
   }
 
 private:
-  static constexpr double near = 0.1; // above the goal, relative to what that leaves above the ideal
-
   // Without a bound that the map with overlaps keeps, about its energy: more room gains nothing.
   double goal(const Open_chart& running) const
   {
