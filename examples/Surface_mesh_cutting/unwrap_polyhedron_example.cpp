@@ -41,7 +41,7 @@ int main(int argc, char** argv)
   std::cout << "mean symmetric Dirichlet energy " << result.average_distortion << " (4: no distortion)\n";
 
   // The same proof that unwrap() itself relies on.
-  const SMC::Status<Polyhedron> status = SMC::certify_unwrap(polyhedron, is_cut, uv);
+  const SMC::Result_status<Polyhedron> status = SMC::certify_unwrap(polyhedron, is_cut, uv);
   std::cout << (status ? "certified: disks, without a flip" : status.message) << std::endl;
   return status ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -17,7 +17,7 @@
 
 #include <CGAL/Surface_mesh_cutting/Interpretation.h>
 #include <CGAL/Surface_mesh_cutting/Polygon_soup.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Soup_adapter.h>
 
 #include <vector>
@@ -26,7 +26,7 @@ namespace binding {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
 using Finding = SMC::Finding<SMC::Polygon_soup>;
-using Status = SMC::Status<SMC::Polygon_soup>;
+using Result_status = SMC::Result_status<SMC::Polygon_soup>;
 using SMC::Status_code;
 using SMC::internal::Go_further;
 using SMC::internal::Soup_adapter;

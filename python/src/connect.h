@@ -25,7 +25,7 @@ namespace binding {
 // What cuts that are found without maps have in common.
 struct Found_cut
 {
-  Status status;
+  Result_status status;
   std::vector<SMC::Interpretation> interpreted;
   bool has_result = false;
   std::vector<Edge> cut_edges; // ordered

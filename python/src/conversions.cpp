@@ -121,7 +121,7 @@ py::dict to_dict(const SMC::Phase_times& times, double packing)
   return result;
 }
 
-void add_status(const Status& status, py::dict& result)
+void add_status(const Result_status& status, py::dict& result)
 {
   result["finding"] = to_dict(status);
   result["warnings"] = to_list(status.warnings);

@@ -81,7 +81,7 @@ py::list to_list(const std::vector<SMC::Interpretation>& interpreted);
 py::array_t<double> to_array(const std::vector<SMC::Trade_off>& trade_offs); // one row each
 
 // Adds what all results say about how the run ended.
-void add_status(const Status& status, py::dict& result);
+void add_status(const Result_status& status, py::dict& result);
 
 } // namespace binding
 

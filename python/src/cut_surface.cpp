@@ -49,7 +49,7 @@ Corner_map corner_map(const Soup_adapter& adapter, const Corner_table& chart, co
 // The map as it is, or packed.
 void write_map(const Soup_adapter& adapter, const Mesh_result& found, bool do_bijective,
                const std::optional<Packing_options>& options, Run_monitor& monitor, Cut_surface& result,
-               std::optional<Status>& packing_status)
+               std::optional<Result_status>& packing_status)
 {
   std::vector<Eigen::Vector2d> uv;
   uv.reserve(found.uv.size());
@@ -81,7 +81,7 @@ void write_map(const Soup_adapter& adapter, const Mesh_result& found, bool do_bi
 }
 
 // How packing ended counts where the run before it went well, and where it failed.
-void merge(const Status& packing, Cut_surface& result)
+void merge(const Result_status& packing, Cut_surface& result)
 {
   SMC::Unwrap_soup_result& found = result.found;
   found.has_result = !result.map.corners.empty();
@@ -99,7 +99,7 @@ Cut_surface run(Named_surface& surface, const Cutting_options& options, const st
   constexpr double share_without_packing = 0.9; // of the time, for the progress
   monitor.begin_part(0, packing ? share_without_packing : 1);
   Cut_surface result;
-  std::optional<Status> packing_status;
+  std::optional<Result_status> packing_status;
   result.found = SMC::internal::run_on_adapter<Concurrency_tag, SMC::Unwrap_soup_result, Eigen::Vector2d>(
     [&](const Go_further& go_further) { return surface.read(go_further); }, options.output,
     [&](const Soup_adapter& adapter, const Mesh_result& found)

@@ -228,7 +228,7 @@ py::dict certify(const Call& call)
   const Surface_arguments arguments = read_surface_arguments(call);
   const Numbers corner_uv = read_array<double>(call, "corner_uv");
   const bool do_bijective = is_bijective(call);
-  Status status;
+  Result_status status;
   py::dict result;
   result["was_interrupted"]
     = supervise(call, [&](Run_monitor&) { status = certify_surface(arguments, corner_uv, do_bijective); });

@@ -111,9 +111,9 @@ Packed_surface pack_surface(const Surface_arguments& arguments, const Numbers& c
   return result;
 }
 
-Status certify_surface(const Surface_arguments& arguments, const Numbers& corner_uv, bool do_bijective)
+Result_status certify_surface(const Surface_arguments& arguments, const Numbers& corner_uv, bool do_bijective)
 {
-  Status result;
+  Result_status result;
   try
   {
     Named_surface surface(arguments);

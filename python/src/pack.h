@@ -29,7 +29,7 @@ SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, co
 
 struct Packed_surface
 {
-  Status status;
+  Result_status status;
   bool has_result = false;
   std::vector<double> corner_uv; // two per corner of the soup
   double scale = 0, fill = 0;
@@ -40,7 +40,7 @@ struct Packed_surface
 // `corner_uv`: two numbers per corner of the soup. The surface is cut where the UVs of neighbors differ.
 Packed_surface pack_surface(const Surface_arguments& arguments, const Numbers& corner_uv, const Packing_options& options,
                             bool do_bijective, Run_monitor& monitor);
-Status certify_surface(const Surface_arguments& arguments, const Numbers& corner_uv, bool do_bijective);
+Result_status certify_surface(const Surface_arguments& arguments, const Numbers& corner_uv, bool do_bijective);
 
 } // namespace binding
 

@@ -160,7 +160,7 @@ int main()
     if(paths.distance(t) < (std::numeric_limits<double>::infinity)())
       CHECK(result && result.is_optimal && result.length == paths.distance(t));
     else
-      CHECK(result.status == CGAL::Steiner_tree::Status::TERMINALS_NOT_CONNECTED && tree.empty());
+      CHECK(result.status == CGAL::Steiner_tree::Result_status::TERMINALS_NOT_CONNECTED && tree.empty());
   }
   return test::exit_status();
 }

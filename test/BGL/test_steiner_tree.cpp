@@ -80,13 +80,13 @@ void test_star()
   // no tree
   tree.clear();
   result = CGAL::steiner_tree(graph, std::vector<V>{1, 4}, std::back_inserter(tree));
-  CHECK(!result && result.status == ST::Status::TERMINALS_NOT_CONNECTED && tree.empty());
+  CHECK(!result && result.status == ST::Result_status::TERMINALS_NOT_CONNECTED && tree.empty());
   for(double bad : {-1., std::nan(""), (std::numeric_limits<double>::infinity)()}) {
     G invalid(4);
     add_edge(1, 2, 1., invalid);
     add_edge(2, 3, bad, invalid);
     result = CGAL::steiner_tree(invalid, ends, std::back_inserter(tree));
-    CHECK(!result && result.status == ST::Status::INVALID_WEIGHT && tree.empty());
+    CHECK(!result && result.status == ST::Result_status::INVALID_WEIGHT && tree.empty());
   }
 
   // all terminals
@@ -106,7 +106,7 @@ void test_star()
       add_edge(i, j, 10. + (i * j) % 7, bigger);
   const std::vector<V> some{0, 3, 6, 9, 12, 15};
   result = CGAL::steiner_tree(bigger, some, std::back_inserter(tree), params::visitor(std::ref(impatient)));
-  CHECK(result.is_optimal || (result.status == ST::Status::CANCELLED && tree.size() >= 5 && impatient.calls > 0));
+  CHECK(result.is_optimal || (result.status == ST::Result_status::CANCELLED && tree.size() >= 5 && impatient.calls > 0));
 
   // budget
   G hypercube(32); // half of its vertices: a large gap between bounds and trees
@@ -125,7 +125,7 @@ void test_star()
   tree.clear();
   result = CGAL::steiner_tree(hypercube, half, std::back_inserter(tree),
                               params::algorithm(ST::Exact_tag()).maximum_number_of_states(0));
-  CHECK(!result && result.status == ST::Status::BUDGET_EXCEEDED && !result.is_optimal);
+  CHECK(!result && result.status == ST::Result_status::BUDGET_EXCEEDED && !result.is_optimal);
   CHECK(tree.size() >= 15 && double(tree.size()) == result.length && result.lower_bound < result.length);
   result = CGAL::steiner_tree(bigger, some, std::back_inserter(tree), params::maximum_number_of_states(0));
   CHECK(result && tree.size() >= 5 && result.lower_bound <= result.length);
@@ -169,7 +169,7 @@ void test_surface_mesh()
   CHECK(result && result.is_optimal && result.length == double(tree.size()));
   CHECK(result.length >= 8. && result.length <= 12.);
   corners.push_back(far);
-  CHECK(CGAL::steiner_tree(mesh, corners, std::back_inserter(tree)).status == ST::Status::TERMINALS_NOT_CONNECTED);
+  CHECK(CGAL::steiner_tree(mesh, corners, std::back_inserter(tree)).status == ST::Result_status::TERMINALS_NOT_CONNECTED);
 }
 
 // more than the dynamic program has sets for: a tree no longer than those of the heuristics

@@ -21,7 +21,7 @@
 namespace cut_measures_test {
 
 namespace SMC = CGAL::Surface_mesh_cutting;
-using SMC::Status;
+using SMC::Result_status;
 using SMC::Status_code;
 using test::Soup;
 using Point_2 = test::Inexact_kernel::Point_2;
@@ -159,7 +159,7 @@ class Test
         ++characteristic[component.at(face(halfedge(v, mesh), mesh))];
     }
     const bool expected = std::all_of(characteristic.begin(), characteristic.end(), [](int c) { return c == 1; });
-    const Status<Mesh> status = SMC::certify_cut(mesh, cut);
+    const Result_status<Mesh> status = SMC::certify_cut(mesh, cut);
     CHECK(SMC::is_cut_to_disks(mesh, cut) == bool(status));
     CHECK(bool(status) == expected);
     if(expected)
@@ -219,7 +219,7 @@ public:
     const Point_2 former = uv[h];
     uv[h] = Point_2(std::nextafter(former.x(), 0.), 0);
     CHECK(SMC::certify_unwrap(mesh, cut, uv_map));
-    Status<Mesh> status = SMC::certify_unwrap(mesh, cut, uv_map, bijective);
+    Result_status<Mesh> status = SMC::certify_unwrap(mesh, cut, uv_map, bijective);
     CHECK(status.code == Status_code::NOT_CERTIFIED && status.faces.size() == 2 && status.faces.back() == last);
 
     uv[h] = Point_2(former.x(), 1);

@@ -204,7 +204,7 @@ void test_stopped()
     for(auto e : edges(mesh))
       put(weights, e, -1);
     int questions = 0;
-    const SMC::Status<Surface_mesh> status = SMC::visibility_weights(
+    const SMC::Result_status<Surface_mesh> status = SMC::visibility_weights(
       mesh, weights, 16, 0.5, CGAL::parameters::visitor(Stopping_visitor(n, questions)));
     CHECK(status.code == Status_code::STOPPED && questions == n);
     for(auto e : edges(mesh))

@@ -20,7 +20,7 @@
 
 namespace mesh_adapter_test {
 
-using CGAL::Surface_mesh_cutting::Status;
+using CGAL::Surface_mesh_cutting::Result_status;
 using CGAL::Surface_mesh_cutting::Status_code;
 using namespace CGAL::Surface_mesh_cutting::internal;
 using test::Soup;
@@ -34,7 +34,7 @@ Adapter<Mesh> adapt(const Mesh& mesh) { return Adapter<Mesh>(mesh, get(CGAL::ver
 
 // Whether the mesh is refused, and what the warnings are if it is not.
 template <typename Mesh>
-Status<Mesh> check(const Mesh& mesh)
+Result_status<Mesh> check(const Mesh& mesh)
 {
   const Adapter<Mesh> adapter = adapt(mesh);
   Indexed_status status = adapter.status();
@@ -186,7 +186,7 @@ void test_type()
       soup.scale(std::ldexp(1., exponent));
       const Mesh scaled_mesh = test::make_mesh<Mesh>(soup);
       const Adapter<Mesh> scaled = adapt(scaled_mesh);
-      const Status<Mesh> status = check(scaled_mesh);
+      const Result_status<Mesh> status = check(scaled_mesh);
       CHECK(status && status.warnings.size() == 1 && status.message.empty()); // extreme coordinates
       CHECK(scaled.mesh().points() == adapter.mesh().points());
       CHECK(scaled.to_original_scale(1) == std::ldexp(adapter.to_original_scale(1), exponent));
@@ -200,7 +200,7 @@ void test_type()
   soup.faces.erase(soup.faces.begin(), soup.faces.begin() + 2);
   soup.faces.push_back({1, 0, 4, 5}); // the two triangles as one face
   const Mesh quad = test::make_mesh<Mesh>(soup);
-  Status<Mesh> status = check(quad);
+  Result_status<Mesh> status = check(quad);
   CHECK(status);
   test_quad(quad);
 
@@ -227,7 +227,7 @@ void test_refused()
     v.push_back(mesh.add_vertex(Surface_mesh::Point(i, i * i, 0)));
   mesh.add_face(v[0], v[1], v[2]);
   mesh.add_face(v[0], v[3], v[4]);
-  Status<Surface_mesh> status = check(mesh);
+  Result_status<Surface_mesh> status = check(mesh);
   CHECK(status.code == Status_code::NON_MANIFOLD && status.vertices == std::vector<Surface_mesh::Vertex_index>{v[0]});
 
   // A pillow is legal.
@@ -280,7 +280,7 @@ void test_warnings()
   soup.points[6] = soup.points[5];
   Surface_mesh mesh = test::make_mesh<Surface_mesh>(soup);
   const Surface_mesh::Vertex_index isolated = mesh.add_vertex(Surface_mesh::Point(1e300, 0, 0));
-  const Status<Surface_mesh> status = check(mesh);
+  const Result_status<Surface_mesh> status = check(mesh);
   CHECK(status && status.message.empty());
   CHECK(status.warnings.size() == 4);
   CHECK(status.warnings[0].vertices == std::vector<Surface_mesh::Vertex_index>{isolated});
@@ -296,7 +296,7 @@ void test_warnings()
   mesh = test::make_mesh<Surface_mesh>(test::patch(3, 3));
   for(int i = 0; i < 8; ++i)
     mesh.add_vertex(Surface_mesh::Point(0, 0, 0));
-  const Status<Surface_mesh> many = check(mesh);
+  const Result_status<Surface_mesh> many = check(mesh);
   CHECK(many.warnings.size() == 1 && many.warnings[0].vertices.size() == 8);
   CHECK(many.warnings[0].message.find("16, 17, 18, 19, 20 and 3 more") != std::string::npos);
 
@@ -306,7 +306,7 @@ void test_warnings()
     soup.points[6 + j] = {0., double(j), 5.};
   for(int j = 0; j < 3; ++j)
     soup.points[j] = {0., double(j), 5.};
-  const Status<Surface_mesh> seam = check(test::make_mesh<Surface_mesh>(soup));
+  const Result_status<Surface_mesh> seam = check(test::make_mesh<Surface_mesh>(soup));
   CHECK(seam && seam.warnings.size() == 1 && seam.warnings[0].vertices.size() == 6);
 }
 

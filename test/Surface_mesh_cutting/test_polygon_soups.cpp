@@ -115,7 +115,7 @@ SMC::Unwrap_soup_result unwrap(const std::string& name, const Soup& soup, bool d
   CHECK(result, name + ": " + result.status.message);
   if(!result.has_result)
     return result;
-  const SMC::Status<SMC::Polygon_soup> certificate
+  const SMC::Result_status<SMC::Polygon_soup> certificate
     = SMC::certify_unwrapped_polygon_soup(points, soup.faces, uvs, CGAL::parameters::do_weld_points(do_weld));
   CHECK(certificate, name + ": certificate: " + certificate.message);
   if(!do_weld)

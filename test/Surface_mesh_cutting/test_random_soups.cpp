@@ -126,7 +126,7 @@ void check_soup(const std::string& name, const Soup& soup, std::size_t& number_o
   CHECK(result && result.flips == 0 && result.overlaps == 0, name + ": " + result.status.message);
   if(!result.has_result)
     return;
-  const SMC::Status<SMC::Polygon_soup> certificate
+  const SMC::Result_status<SMC::Polygon_soup> certificate
     = SMC::certify_unwrapped_polygon_soup(points, soup.faces, uvs, CGAL::parameters::do_bijective(true));
   CHECK(certificate, name + ": certificate: " + certificate.message);
 

@@ -229,7 +229,7 @@ void test_paint()
   {
     const Weights untouched = make_weights(mesh);
     paint[Vertex(11)] = bad;
-    const SMC::Status<Mesh> status = SMC::painted_weights(mesh, untouched, paint);
+    const SMC::Result_status<Mesh> status = SMC::painted_weights(mesh, untouched, paint);
     CHECK(status.code == Status_code::WRONG_PARAMETER && status.vertices == std::vector<Vertex>(1, Vertex(11)));
     for(const Edge e : mesh.edges())
       CHECK(untouched[e] == -1);
@@ -284,7 +284,7 @@ void test_refused()
 {
   Mesh mesh = test::make_mesh<Mesh>(cup()), empty;
   const Weights weights = make_weights(mesh);
-  const auto code = [](const SMC::Status<Mesh>& status) { return status.code; };
+  const auto code = [](const SMC::Result_status<Mesh>& status) { return status.code; };
   const auto look = [&](const auto& np) { return code(SMC::visibility_weights(mesh, weights, 4, 0.2, np)); };
   for(const double value : {-0.1, 1.1, not_a_number})
   {

@@ -53,7 +53,7 @@ ST::Result connect(const Problem& problem, Method method)
   std::vector<Edge> edges;
   const ST::Result result = CGAL::steiner_tree(problem.graph, problem.terminals, std::back_inserter(edges),
                                                CGAL::parameters::algorithm(method).maximum_number_of_states(20000));
-  if(result.status == ST::Status::OK)
+  if(result.status == ST::Result_status::OK)
     require(is_valid(problem, edges, result.length));
   return result;
 }
@@ -73,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                   connect(problem, ST::Local_search_tag()), connect(problem, ST::Best_tag())};
     const ST::Result exact = connect(problem, ST::Exact_tag());
     for(const ST::Result& result : results)
-      if(exact.status == ST::Status::OK && result.status == ST::Status::OK)
+      if(exact.status == ST::Result_status::OK && result.status == ST::Result_status::OK)
       {
         require(exact.length <= result.length * (1 + 1e-9));
         require(result.lower_bound <= exact.length * (1 + 1e-9));

@@ -14,6 +14,6 @@ class SteinerTreeVisitor
 public:
   /// is called often, but by one thread at a time.
   /// \return `false` to cancel the computation, which then returns the best tree found so far, with the status
-  ///         `CGAL::Steiner_tree::Status::CANCELLED`
+  ///         `CGAL::Steiner_tree::Result_status::CANCELLED`
   bool go_further();
 };

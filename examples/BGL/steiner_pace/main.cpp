@@ -90,16 +90,16 @@ int main(int argc, char** argv)
     std::vector<Edge> tree;
     const ST::Result result = connect(problem, method, limit, tree);
     switch(result.status) {
-    case ST::Status::OK:
+    case ST::Result_status::OK:
       break;
-    case ST::Status::TERMINALS_NOT_CONNECTED:
+    case ST::Result_status::TERMINALS_NOT_CONNECTED:
       std::cerr << "steiner_pace: the terminals are not connected\n";
       return exit_unreadable;
-    case ST::Status::INVALID_WEIGHT:
+    case ST::Result_status::INVALID_WEIGHT:
       std::cerr << "steiner_pace: invalid weight\n";
       return exit_unreadable;
-    case ST::Status::BUDGET_EXCEEDED:
-    case ST::Status::CANCELLED:
+    case ST::Result_status::BUDGET_EXCEEDED:
+    case ST::Result_status::CANCELLED:
       if(method != "exact")
         break;
       std::cerr << "steiner_pace: stopped without proof\n";

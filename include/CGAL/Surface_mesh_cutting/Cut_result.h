@@ -17,10 +17,8 @@
 #include <CGAL/Surface_mesh_cutting/Phase_counts.h>
 #include <CGAL/Surface_mesh_cutting/Phase_times.h>
 #include <CGAL/Surface_mesh_cutting/Reflection_plane.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <optional>
 #include <vector>
@@ -37,7 +35,7 @@ template <typename TriangleMesh>
 struct Cut_result
 {
   /// how the run ended.
-  Status<TriangleMesh> status;
+  Result_status<TriangleMesh> status;
   /// whether the output maps hold a valid result: always with `Status_code::OK` and `Status_code::BOUND_NOT_REACHED`, and
   /// with `Status_code::STOPPED` if a result existed by then.
   bool has_result = false;
@@ -50,7 +48,7 @@ struct Cut_result
   int number_of_features = 0;         ///< number of feature points.
   int number_of_auxiliary_points = 0; ///< number of branch points that the connection added.
   /// the feature points.
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> feature_points;
+  std::vector<typename Finding<TriangleMesh>::Descriptors::vertex_descriptor> feature_points;
 
   double bounding_box_diagonal = 0; ///< length of the diagonal of the bounding box.
   double cut_length = 0;            ///< total length of the cut edges.

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 
 #include <vector>
 
@@ -28,7 +28,7 @@ template <typename TriangleMesh>
 struct Packing_result
 {
   /// how the call ended.
-  Status<TriangleMesh> status;
+  Result_status<TriangleMesh> status;
   /// whether the UVs are packed; with `Status_code::STOPPED`, the charts could be larger.
   bool has_result = false;
   /// length of an edge in the unit square over its former length in the plane, the same for all edges of all charts.

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Surface_mesh_cutting/internal/input/Descriptors.h>
 
 #include <cstddef>
 #include <utility>
@@ -28,21 +28,18 @@ namespace Surface_mesh_cutting {
 /// indices of points, the lower one first.
 struct Polygon_soup {};
 
-} // namespace Surface_mesh_cutting
-} // namespace CGAL
-
-#ifndef DOXYGEN_RUNNING
-namespace boost {
+namespace internal {
 
 template <>
-struct graph_traits<CGAL::Surface_mesh_cutting::Polygon_soup>
+struct Descriptors<Polygon_soup>
 {
-  typedef std::size_t vertex_descriptor;
-  typedef std::pair<std::size_t, std::size_t> edge_descriptor;
-  typedef std::size_t face_descriptor;
+  using vertex_descriptor = std::size_t;
+  using edge_descriptor = std::pair<std::size_t, std::size_t>;
+  using face_descriptor = std::size_t;
 };
 
-} // namespace boost
-#endif // DOXYGEN_RUNNING
+} // namespace internal
+} // namespace Surface_mesh_cutting
+} // namespace CGAL
 
 #endif // CGAL_SURFACE_MESH_CUTTING_POLYGON_SOUP_H

@@ -18,7 +18,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/result/check_disks.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
@@ -58,7 +58,7 @@ namespace Surface_mesh_cutting {
 /// \sa `certify_unwrap()`
 template <typename TriangleMesh, typename EdgeIsCutMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<TriangleMesh> certify_cut(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
+Result_status<TriangleMesh> certify_cut(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
                                  const NamedParameters& np = parameters::default_values())
 {
   const auto adapter = internal::make_mesh_adapter(tmesh, np);

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/read_packing_parameters.h>
@@ -96,7 +96,7 @@ namespace Surface_mesh_cutting {
 /// \sa `certify_unwrap()`
 template <typename TriangleMesh, typename EdgeIsCutMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<TriangleMesh> certify_packing(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
+Result_status<TriangleMesh> certify_packing(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
                                      HalfedgeUVMap halfedge_uv_map,
                                      const NamedParameters& np = parameters::default_values())
 {

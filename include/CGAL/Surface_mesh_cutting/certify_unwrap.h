@@ -18,7 +18,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 
 #include <Eigen/Core>
 
@@ -91,7 +91,7 @@ namespace Surface_mesh_cutting {
 /// \sa `certify_cut()`
 template <typename TriangleMesh, typename EdgeIsCutMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
+Result_status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
                                     HalfedgeUVMap halfedge_uv_map,
                                     const NamedParameters& np = parameters::default_values())
 {

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Polygon_soup.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Soup_adapter.h>
 
 #include <Eigen/Core>
@@ -54,7 +54,7 @@ namespace Surface_mesh_cutting {
 /// \sa `unwrap_polygon_soup()`
 template <typename PointRange, typename PolygonRange, typename CornerUVs,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<Polygon_soup> certify_unwrapped_polygon_soup(const PointRange& points, const PolygonRange& polygons,
+Result_status<Polygon_soup> certify_unwrapped_polygon_soup(const PointRange& points, const PolygonRange& polygons,
                                                     const CornerUVs& corner_uvs,
                                                     const NamedParameters& np = parameters::default_values())
 {

@@ -23,7 +23,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/run/read_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_vertices.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <CGAL/tags.h>
@@ -46,7 +46,7 @@ template <typename TriangleMesh>
 struct Connection_result
 {
   /// how the call ended.
-  Status<TriangleMesh> status;
+  Result_status<TriangleMesh> status;
   /// the length of the cut without border edges.
   double length = 0;
   /// a lower bound on the weight of every cut that consists of the constrained edges, the chosen

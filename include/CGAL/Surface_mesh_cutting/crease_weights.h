@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 
 #include <vector>
 
@@ -83,7 +83,7 @@ inline std::vector<double> crease_factors(const Indexed_mesh& mesh, double small
 /// \sa `painted_weights()`
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<TriangleMesh> crease_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
+Result_status<TriangleMesh> crease_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
                                     double smallest_factor = 0.2,
                                     const NamedParameters& np = parameters::default_values())
 {

@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/read_edge_constraints.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -39,7 +39,7 @@ template <typename TriangleMesh>
 struct Handles_result
 {
   /// how the call ended.
-  Status<TriangleMesh> status;
+  Result_status<TriangleMesh> status;
   /// one loop per handle, in the order of their discovery: a sequence of halfedges, each of which
   /// starts where the previous one ends. A loop may share vertices and edges with earlier loops,
   /// and run along the border.

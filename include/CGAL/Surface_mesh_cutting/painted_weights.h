@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/Status_code.h>
 
 #include <cmath>
@@ -87,7 +87,7 @@ Indexed_status find_painted_factors(const Adapter& adapter, VertexPaintMap verte
 /// \sa `visibility_weights()`
 template <typename TriangleMesh, typename EdgeWeightMap, typename VertexPaintMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<TriangleMesh> painted_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
+Result_status<TriangleMesh> painted_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
                                      VertexPaintMap vertex_paint_map,
                                      const NamedParameters& np = parameters::default_values())
 {

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Reflection_plane.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/Symmetry.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
@@ -59,7 +59,7 @@ Cut diagonals_of(const Adapter& adapter)
 template <typename TriangleMesh>
 struct Reflection_symmetry
 {
-  Status<TriangleMesh> status; ///< how the call ended.
+  Result_status<TriangleMesh> status; ///< how the call ended.
   /// the planes at which the surface is symmetric, that is, at least 98 % of the vertices are matched; exact ones first, then
   /// those that match more, and among equals those to which the surface is closer. There may be none.
   std::vector<Reflection_plane> planes;

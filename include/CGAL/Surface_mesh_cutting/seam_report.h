@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 
 #include <CGAL/Surface_mesh_cutting/Seam_measures.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 
@@ -38,7 +38,7 @@ namespace Surface_mesh_cutting {
 template <typename TriangleMesh>
 struct Seam_report : public Seam_measures
 {
-  Status<TriangleMesh> status; ///< how the call ended.
+  Result_status<TriangleMesh> status; ///< how the call ended.
 
   /// `true` iff the measures were computed.
   explicit operator bool() const { return bool(status); }

@@ -18,7 +18,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/principal_alignment.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 
 #include <vector>
 
@@ -61,7 +61,7 @@ namespace Surface_mesh_cutting {
 /// \sa `painted_weights()`
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<TriangleMesh> straightness_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
+Result_status<TriangleMesh> straightness_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
                                           double smallest_factor = 0.2,
                                           const NamedParameters& np = parameters::default_values())
 {

@@ -22,7 +22,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
@@ -157,7 +157,7 @@ inline Indexed_status check_view(const View& view)
 /// \sa `painted_weights()`
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
+Result_status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
                                         int number_of_rays = 64, double smallest_factor = 0.25,
                                         const NamedParameters& np = parameters::default_values())
 {

@@ -1,4 +1,4 @@
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
@@ -7,11 +7,11 @@
 #include <cstdlib>
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Status = CGAL::Surface_mesh_cutting::Status<CGAL::Surface_mesh<Point>>;
+using Result_status = CGAL::Surface_mesh_cutting::Result_status<CGAL::Surface_mesh<Point>>;
 
 int main()
 {
   const auto np = CGAL::parameters::random_seed(1).effort(2);
   const int effort = CGAL::parameters::get_parameter(np, CGAL::internal_np::effort);
-  return Status() && effort == 2 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Result_status() && effort == 2 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

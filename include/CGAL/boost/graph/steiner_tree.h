@@ -112,7 +112,7 @@ struct Best_tag
 };
 
 /// tells whether the requested tree was found, and if not, why
-enum class Status
+enum class Result_status
 {
   OK,                      ///< a tree as requested
   TERMINALS_NOT_CONNECTED, ///< terminals lie in several components of the graph: no tree
@@ -133,7 +133,7 @@ struct Default_visitor
 struct Result
 {
   /// whether there is a tree as requested
-  Status status = Status::OK;
+  Result_status status = Result_status::OK;
   /// the sum of the weights of the edges of the tree
   double length = 0.;
   /// a lower bound on the length of any tree, up to rounding. Zero for methods without a bound
@@ -143,8 +143,8 @@ struct Result
   /// the number of vertices of the tree of degree three or more that are not terminals
   std::size_t number_of_auxiliary_points = 0;
 
-  /// `true` if the status is `Status::OK`
-  explicit operator bool() const { return status == Status::OK; }
+  /// `true` if the status is `Result_status::OK`
+  explicit operator bool() const { return status == Result_status::OK; }
 };
 
 /// @}
@@ -224,7 +224,7 @@ usually feasible on graphs of surfaces. `maximum_number_of_states` bounds its me
 \cgalNamedParamsEnd
 
 \return the length of the tree, what is known about it, and a status, which converts to `true` if all is well.
-        No edge is output if there is no tree, see `CGAL::Steiner_tree::Status`.
+        No edge is output if there is no tree, see `CGAL::Steiner_tree::Result_status`.
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Graph,
@@ -273,7 +273,7 @@ Steiner_tree::Result steiner_tree(const Graph& graph, const TerminalRange& termi
   for(edge_descriptor e : CGAL::make_range(edges(graph))) {
     const double w = CGAL::to_double(get(weight, e));
     if(!(w >= 0. && std::isfinite(w))) {
-      result.status = Steiner_tree::Status::INVALID_WEIGHT;
+      result.status = Steiner_tree::Result_status::INVALID_WEIGHT;
       return result;
     }
     edge_of.push_back(e);
@@ -306,14 +306,14 @@ Steiner_tree::Result steiner_tree(const Graph& graph, const TerminalRange& termi
   case Core::Outcome::done:
     break;
   case Core::Outcome::terminals_not_connected:
-    result.status = Steiner_tree::Status::TERMINALS_NOT_CONNECTED;
+    result.status = Steiner_tree::Result_status::TERMINALS_NOT_CONNECTED;
     return result;
   case Core::Outcome::budget_exceeded:
     if(Method_tag::needs_proof)
-      result.status = Steiner_tree::Status::BUDGET_EXCEEDED;
+      result.status = Steiner_tree::Result_status::BUDGET_EXCEEDED;
     break;
   case Core::Outcome::cancelled:
-    result.status = Steiner_tree::Status::CANCELLED;
+    result.status = Steiner_tree::Result_status::CANCELLED;
     break;
   }
   result.length = solution.tree.length;

@@ -16,7 +16,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Cut.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -119,7 +119,7 @@ public:
   }
 
   // Replaces indices by descriptors and appends the first of them to the messages.
-  Status<TriangleMesh> translate(const Indexed_status& flat) const
+  Result_status<TriangleMesh> translate(const Indexed_status& flat) const
   {
     return translated<TriangleMesh>(flat, [this](const Finding& finding) { return translate(finding); });
   }

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Polygons.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_mesh.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
@@ -96,9 +96,9 @@ protected:
 
   // The status with its finding and warnings as `translate` gives them.
   template <typename Surface, typename Translate>
-  static Status<Surface> translated(const Indexed_status& flat, const Translate& translate)
+  static Result_status<Surface> translated(const Indexed_status& flat, const Translate& translate)
   {
-    Status<Surface> status;
+    Result_status<Surface> status;
     static_cast<Surface_mesh_cutting::Finding<Surface>&>(status) = translate(flat.finding);
     for(const Finding& warning : flat.warnings)
       status.warnings.push_back(translate(warning));

@@ -15,7 +15,7 @@
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Polygon_soup.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Polygon_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/soup/Soup_surface.h>
@@ -42,11 +42,9 @@ namespace internal {
 // The boundary between the caller's polygon soup and the index arrays, as `Mesh_adapter` is for meshes.
 class Soup_adapter : public Polygon_adapter
 {
-  using Graph_traits = boost::graph_traits<Polygon_soup>;
-
 public:
-  using vertex_descriptor = Graph_traits::vertex_descriptor;
-  using edge_descriptor = Graph_traits::edge_descriptor;
+  using vertex_descriptor = Descriptors<Polygon_soup>::vertex_descriptor;
+  using edge_descriptor = Descriptors<Polygon_soup>::edge_descriptor;
 
   // O(n). The indexed mesh exists only where `status()` is OK.
   template <typename PointRange, typename PolygonRange>
@@ -168,7 +166,7 @@ public:
   }
 
   // Replaces indices by those of the soup and appends the first of them to the messages.
-  Status<Polygon_soup> translate(const Indexed_status& flat) const
+  Result_status<Polygon_soup> translate(const Indexed_status& flat) const
   {
     return translated<Polygon_soup>(flat, [this](const Finding& finding) { return translate(finding); });
   }

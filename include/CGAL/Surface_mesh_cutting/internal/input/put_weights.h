@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/base.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
-#include <CGAL/Surface_mesh_cutting/Status.h>
+#include <CGAL/Surface_mesh_cutting/Result_status.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ double factored_weight(const Adapter& adapter, EdgeWeightMap given_weights, int 
 // `find_factors(adapter, factors)` computes one for each edge, unless it returns that it failed; those of
 // border edges are not used. The two maps of weights may be the same.
 template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameters, typename FindFactors>
-Status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map, const NamedParameters& np,
+Result_status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map, const NamedParameters& np,
                                  FindFactors find_factors)
 {
   using parameters::get_parameter;

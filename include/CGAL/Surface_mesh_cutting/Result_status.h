@@ -9,14 +9,13 @@
 //
 // Author(s)     : The Surface_mesh_cutting authors
 
-#ifndef CGAL_SURFACE_MESH_CUTTING_STATUS_H
-#define CGAL_SURFACE_MESH_CUTTING_STATUS_H
+#ifndef CGAL_SURFACE_MESH_CUTTING_RESULT_STATUS_H
+#define CGAL_SURFACE_MESH_CUTTING_RESULT_STATUS_H
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
 #include <CGAL/Surface_mesh_cutting/Status_code.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Surface_mesh_cutting/internal/input/Descriptors.h>
 
 #include <string>
 #include <vector>
@@ -32,6 +31,9 @@ namespace Surface_mesh_cutting {
 template <typename TriangleMesh>
 struct Finding
 {
+  /// the types that stand for elements: those of `boost::graph_traits<TriangleMesh>`, or those of `Polygon_soup`.
+  using Descriptors = internal::Descriptors<TriangleMesh>;
+
   /// the kind of the finding.
   Status_code code = Status_code::OK;
   /// one line for a human reader. It names the first elements: vertices and faces by their positions
@@ -39,22 +41,22 @@ struct Finding
   /// to report. The `code` of a warning is `Status_code::OK`.
   std::string message;
   /// the vertices concerned; at most one of the three lists is not empty.
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  std::vector<typename Descriptors::vertex_descriptor> vertices;
   /// the edges concerned.
-  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
+  std::vector<typename Descriptors::edge_descriptor> edges;
   /// the faces concerned.
-  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> faces;
+  std::vector<typename Descriptors::face_descriptor> faces;
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///
 /// tells how a call ended. The object itself is the finding that ended the call; `warnings` holds
-/// the other findings. User data never violates a precondition: a `Status` reports all defects of the
+/// the other findings. User data never violates a precondition: a `Result_status` reports all defects of the
 /// data.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
-struct Status : public Finding<TriangleMesh>
+struct Result_status : public Finding<TriangleMesh>
 {
   /// findings that did not end the call: isolated vertices, degenerate faces…
   std::vector<Finding<TriangleMesh> > warnings;
@@ -66,4 +68,4 @@ struct Status : public Finding<TriangleMesh>
 } // namespace Surface_mesh_cutting
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CUTTING_STATUS_H
+#endif // CGAL_SURFACE_MESH_CUTTING_RESULT_STATUS_H
