@@ -5,7 +5,7 @@ import math
 
 import tables
 
-COLORS = ("#c8102e", "#e8862e", "#2166ac", "#35978f", "#762a83", "#7fbf7b", "#8c510a", "#666666")
+COLORS = ("#c8102e", "#e8862e", "#2166ac", "#35978f", "#762a83", "#7fbf7b", "#8c510a", "#666666", "#000000")
 WIDTH, HEIGHT, MARGIN = 900, 240, 60
 STYLE = """body { font: 14px sans-serif; margin: 2em; max-width: 1200px }
 table { border-collapse: collapse; margin: 1em 0; font-size: 12px }
@@ -60,6 +60,8 @@ def page(records, found, programs, ours):
              *(figure(records, programs, measure) for measure in tables.MEASURES)]
     for name in programs:
         parts += [f"<h2>{html.escape(name)} minus {html.escape(ours)}</h2>", table(found[name])] if name != ours else []
+    for name, rows in found["at_bounds_of_rivals"].items():
+        parts += [f"<h2>{html.escape(name)}</h2>", table(rows)]
     parts += ["<h2>Exceptions</h2>", table(found["exceptions"]), "<h2>All runs</h2>", table(tables.of_meshes(records, programs))]
     head = f"<head><meta charset='utf-8'><title>Comparison</title><style>{STYLE}</style></head>"
     return f"<!DOCTYPE html><html lang='en'>{head}<body>" + "\n".join(parts) + "</body></html>\n"

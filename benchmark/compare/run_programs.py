@@ -12,6 +12,7 @@ import shlex
 import signal
 import subprocess
 import time
+import types
 
 from surface_files import Unreadable, read_result, read_surface, write_surface
 from uv_measures import Invalid, measure
@@ -32,12 +33,23 @@ class Program:
         return [word.format(**places) for word in shlex.split(self.command)]
 
     def needs(self):
-        """The names in braces in its command."""
-        return set(re.findall(r"\{(\w+)\}", self.command)) - {"root", "input", "output"}
+        """The programs in braces in its command."""
+        return set(re.findall(r"\{(\w+)[.}]", self.command)) - {"root", "input", "output"}
+
+    def measured(self):
+        """The programs whose measures it is given."""
+        return sorted(set(re.findall(r"\{(\w+)\.", self.command)))
 
     def is_rival(self):
         """Whether it is another program that works alone."""
         return not self.needs() and "/bin/unwrap" not in self.command
+
+
+class Output(types.SimpleNamespace):
+    """The path of a result, for commands, with its measures as members."""
+
+    def __format__(self, spec):
+        return str(self.path)
 
 
 def read_programs(path):
@@ -88,15 +100,15 @@ def run_limited(command, log, seconds):
 
 def run(program, surface, places, time_limit):
     """All of the record but what it is of."""
-    missing = [name for name in program.needs() if not pathlib.Path(places.get(name, "/nonexistent")).exists()]
+    missing = [name for name in sorted(program.needs()) if name not in places]
     if missing:
         return {"outcome": "failed", "message": f"no result of {missing[0]}"}
-    output, log = pathlib.Path(places["output"]), pathlib.Path(places["output"]).with_suffix(".log")
+    output, log = places["output"], places["output"].with_suffix(".log")
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)
     try:
         exit_code, seconds, memory = run_limited(program.words(places), log, time_limit)
-    except OSError as error:
+    except (OSError, AttributeError) as error:  # no such program, no such measure
         return {"outcome": "failed", "message": str(error)}
     text = log.read_text(encoding="utf-8", errors="replace")
     told = re.findall(r"^seconds ([\d.e+-]+)$", text, re.M)
@@ -132,7 +144,7 @@ def run_all(programs, meshes, folder, time_limit, say=print):
         name, surface = mesh.name, None
         places = {"root": ROOT, "input": folder / "input" / f"{mesh.stem}.obj"}
         for program in programs:
-            places[program.name] = places["output"] = folder / program.name / f"{mesh.stem}.obj"
+            places["output"] = folder / program.name / f"{mesh.stem}.obj"
             record = stored.get((name, program.command))
             if record is None:
                 try:
@@ -148,5 +160,7 @@ def run_all(programs, meshes, folder, time_limit, say=print):
                 with open(file, "a", encoding="utf-8") as output:
                     output.write(json.dumps(record) + "\n")
                 say(f"{name} {program.name}: {record['outcome']} {record['message']}".rstrip())
+            if record["outcome"] == "done":
+                places[program.name] = Output(path=places["output"], **record)
             found.setdefault(name, {})[program.name] = record
     return found

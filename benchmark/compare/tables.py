@@ -18,6 +18,7 @@ class Measure:
 MEASURES = (
     Measure("charts", "charts", 0), Measure("seam", "seam on the surface"), Measure("uv_seam", "seam in the unit square"),
     Measure("E_mean", "mean energy", 3), Measure("E_99", "energy, 99 %", 3), Measure("E_max", "largest energy", 1),
+    Measure("E_chart", "worst chart, energy", 3),
     Measure("angle_discrepancy", "angles", 3), Measure("area_discrepancy", "areas", 3),
     Measure("partuv_angle", "angles, PartUV", 3, -1, False), Measure("partuv_area", "areas, PartUV", 3),
     Measure("partuv_worst_chart", "worst chart, PartUV", 3),

@@ -118,6 +118,12 @@ def quantile(values, weights, share):
     return float(values[order][np.searchsorted(sums, share * sums[-1])])
 
 
+def worst_mean(values, weights, group):
+    """The largest of the weighted means of groups."""
+    with np.errstate(invalid="ignore"):
+        return float(np.nanmax(np.bincount(group, values * weights) / np.bincount(group, weights)))
+
+
 def area_ratio(area, uv_area, group):
     """PartUV's measure: for each group of faces, and how many faces it counts, the mean ratio of areas, whichever way larger."""
     number = group.max() + 1
@@ -152,6 +158,7 @@ def measure(points, faces, uv):
         "faces": len(faces), "charts": int(number),
         "seam": sides.cut_length() / float(np.linalg.norm(np.ptp(used, axis=0))), "uv_seam": sides.chart_border() / extent,
         "E_mean": float(np.average(energies, weights=stretch.area[kept])), "E_99": quantile(energies, stretch.area[kept], QUANTILE),
+        "E_chart": worst_mean(energies, stretch.area[kept], chart[kept]),
         "E_max": float(energies.max()), "flipped": int(has_area.sum() - kept.sum()), "overlaps": len(pairs),
         "fill": float(np.abs(stretch.uv_area).sum()) / extent ** 2,
         "area_discrepancy": float(np.abs(uv_share - share).sum()),

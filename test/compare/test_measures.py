@@ -103,6 +103,7 @@ class AgainstTheReport(Case):
         self.assertEqual((found["charts"], found["flipped"], found["overlaps"]), (report["charts"], 0, 0))
         self.assertEqual(found["charts"], 2)
         for key, expected in (("seam", report["cut_length"]), ("E_mean", report["E_iso"]), ("E_max", report["E_max"]),
+                              ("E_chart", max(chart["mean"] for chart in report["charts_distortion"])),
                               ("E_99", report["E_quantiles"]["0.99"]),
                               ("area_discrepancy", report["distortion"]["average_area_discrepancy"]),
                               ("angle_discrepancy", report["distortion"]["average_angle_discrepancy"])):

@@ -24,6 +24,8 @@ class Runs(Case):
         self.write("programs.txt", f"""# a comment
 default: {PROGRAM} {{input}} -o {{output}} --quiet
 after: {PROGRAM} {{default}} -o {{output}} --quiet --pack-only
+bounded: {PROGRAM} {{input}} -o {{output}} --quiet --max-face-distortion {{default.E_max}}
+unmeasured: {PROGRAM} {{input}} -o {{output}} --quiet --max-distortion {{default.E_least}}
 late: {sys.executable} -c "while True: pass"
 idle: {sys.executable} -c "import time; time.sleep(300)"
 fails: {sys.executable} -c "import sys; sys.exit('no memory')"
@@ -37,12 +39,14 @@ needs: {PROGRAM} {{fails}} -o {{output}}
         self.enterContext(unittest.mock.patch("run_programs.IDLE", 5))
         found = run_all(programs, find_meshes([self.folder / "mesh.obj"]), self.folder / "out", 2, lambda _: None)["mesh.obj"]
         outcomes = {name: record["outcome"] for name, record in found.items()}
-        self.assertEqual(outcomes, {"default": "done", "after": "done", "late": "time is up", "idle": "time is up"} | dict.fromkeys(
-            ("fails", "silent", "without_uv", "other_faces", "missing", "needs"), "failed"))
+        self.assertEqual(outcomes, dict.fromkeys(("default", "after", "bounded"), "done") | dict.fromkeys(
+            ("late", "idle"), "time is up") | dict.fromkeys(
+                ("unmeasured", "fails", "silent", "without_uv", "other_faces", "missing", "needs"), "failed"))
         self.assertIn("no memory", found["fails"]["message"])
         self.assertIn("no result of fails", found["needs"]["message"])
         self.assertEqual(found["silent"]["seconds"], 0.5)
         self.assertAlmostEqual(found["default"]["E_mean"], found["after"]["E_mean"], places=6)
+        self.assertLessEqual(found["bounded"]["E_max"], found["default"]["E_max"] + 1e-6)
         self.assertGreater(found["default"]["memory_mb"], 1)
         # Former runs are not repeated.
         again = run_all(programs, find_meshes([self.folder]), self.folder / "out", 2, self.fail)
@@ -57,13 +61,15 @@ needs: {PROGRAM} {{fails}} -o {{output}}
             self.write(f"{number}.off", to_off(joined(sphere(2), scaled(sphere(1), 2 + number))))
         self.write("broken.off", "OFF\n1 1 0\n0 0 0\n3 0 1 2\n")
         line = f"{PROGRAM} {{input}} -o {{output}}"
-        self.write("programs.txt", f"default: {line}\nother: {line} --effort fast\n")
+        self.write("programs.txt", f"default: {line}\nother: {line} --effort fast\n"
+                                   f"bounded: {line} --max-distortion {{other.E_chart}}\n")
         command = [sys.executable, "-B", ROOT / "benchmark" / "compare" / "compare.py", self.folder, "--programs",
                    self.folder / "programs.txt", "--output", self.folder / "out"]
         run = subprocess.run(command, capture_output=True, text=True, check=False)
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stderr)
         self.assertIn("not read: broken.off", run.stdout)
         self.assertIn("| default | 2 | 0 | 2 / 2 |", (self.folder / "out" / "comparison.md").read_text())
+        self.assertIn("## other minus bounded", (self.folder / "out" / "comparison.md").read_text())
         page = (self.folder / "out" / "comparison.html").read_text()
         self.assertGreater(page.count("<circle"), 4 * 10)
         self.assertNotIn("http", page)
