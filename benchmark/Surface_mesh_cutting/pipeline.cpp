@@ -25,6 +25,7 @@
 #include <array>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <iostream>
 
 namespace SMC = CGAL::Surface_mesh_cutting;
@@ -62,10 +63,17 @@ struct Measurement
   double cut() const { return total() - median_seconds(cpu_seconds, &SMC::Phase_times::parameterize); }
 };
 
+struct Profiler : SMC::Default_visitor
+{
+  SMC::Run_profile profile;
+  void ended(const SMC::Run_profile& p) { profile = p; }
+};
+
 Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
 {
   const Cut_map is_cut = mesh.add_property_map<edge_descriptor, bool>("e:is_cut", false).first;
   const auto uv = mesh.add_property_map<halfedge_descriptor, Kernel::Point_2>("h:uv").first;
+  Profiler profiler;
   const auto np = CGAL::parameters::use_published_method(options.is_faithful)
                     .effort(options.effort)
                     .connection(options.connection_or_default())
@@ -73,14 +81,15 @@ Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)
                     .coarse_number_of_faces(options.coarse_number_of_faces) // if it was said: else, it depends on the surface
                     .maximum_average_distortion(options.maximum_average_distortion)
                     .do_bijective(options.is_bijective)
-                    .random_seed(static_cast<unsigned int>(seed));
+                    .random_seed(static_cast<unsigned int>(seed))
+                    .visitor(std::ref(profiler));
   Measurement measurement;
   reset_peak_memory();
   for(int i = 0; i < options.repetitions; ++i)
   {
     measurement.result = SMC::unwrap<CGAL::Parallel_if_available_tag>(mesh, is_cut, uv, np);
-    measurement.cpu_seconds.push_back(measurement.result.cpu_seconds);
-    measurement.seconds.push_back(measurement.result.seconds);
+    measurement.cpu_seconds.push_back(profiler.profile.cpu_seconds);
+    measurement.seconds.push_back(profiler.profile.seconds);
   }
   measurement.memory = peak_memory();
   return measurement;
@@ -90,7 +99,7 @@ void print(const std::string& file, int seed, const Mesh& mesh, const Measuremen
 {
   const Result& r = m.result;
   std::cout << file << ',' << seed << ',' << (r ? "done" : r.status.message) << ',' << num_faces(mesh) << ','
-            << r.genus << ',' << r.borders << ',' << r.number_of_candidates << ',' << r.number_of_features << ',' << r.number_of_auxiliary_points << ','
+            << r.genus << ',' << r.borders << ',' << r.number_of_candidates << ',' << r.feature_points.size() << ',' << r.number_of_auxiliary_points << ','
             << r.cut_length / r.bounding_box_diagonal << ',' << r.average_distortion << ',' << r.largest_face_distortion;
   for(double SMC::Phase_times::* phase : {&SMC::Phase_times::candidates, &SMC::Phase_times::filter,
                                           &SMC::Phase_times::connect, &SMC::Phase_times::refine,
@@ -111,7 +120,7 @@ public:
       ++m_failures;
       return;
     }
-    const std::vector<double> values = {double(r.number_of_candidates), double(r.number_of_features),
+    const std::vector<double> values = {double(r.number_of_candidates), double(r.feature_points.size()),
                                         r.cut_length / r.bounding_box_diagonal, r.average_distortion, m.cut(), m.total()};
     for(std::size_t i = 0; i < values.size(); ++i)
       m_sums[i] += values[i];

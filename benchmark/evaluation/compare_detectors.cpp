@@ -22,6 +22,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -89,14 +90,22 @@ Detection candidates(const Surface& surface)
   return detection;
 }
 
+struct Profiler : SMC::Default_visitor
+{
+  SMC::Run_profile profile;
+  void ended(const SMC::Run_profile& p) { profile = p; }
+};
+
 Detection detect_by_package(const Mesh& mesh, bool is_faithful)
 {
+  Profiler profiler;
   std::vector<Mesh::Vertex_index> vertices;
   const auto result = SMC::detect_feature_points(mesh, std::back_inserter(vertices),
-                                                 CGAL::parameters::use_published_method(is_faithful));
+                                                 CGAL::parameters::use_published_method(is_faithful)
+                                                   .visitor(std::ref(profiler)));
   Detection detection;
   detection.failure = result.status.message;
-  detection.filter_seconds = result.cpu_seconds.filter;
+  detection.filter_seconds = profiler.profile.cpu_seconds.filter;
   for(Mesh::Vertex_index v : vertices)
     detection.features.push_back(int(v));
   return detection;

@@ -31,7 +31,7 @@ int main(int argc, char** argv)
     std::cerr << result.status.message << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "a cut through " << result.number_of_features << " feature points, "
+  std::cout << "a cut through " << result.feature_points.size() << " feature points, "
             << result.cut_length / result.bounding_box_diagonal << " bounding box diagonals long\n";
 
   // The opened surface, as the parameterizers of CGAL take it.

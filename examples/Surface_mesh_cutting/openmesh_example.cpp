@@ -45,7 +45,7 @@ int main(int argc, char** argv)
   mesh.request_halfedge_texcoords2D();
   for(const auto& corner : uvs)
     mesh.set_texcoord2D(corner.first, Mesh::TexCoord2D(float(corner.second.x()), float(corner.second.y())));
-  std::cout << "a cut through " << result.number_of_features << " feature points, mean energy " << result.average_distortion
+  std::cout << "a cut through " << result.feature_points.size() << " feature points, mean energy " << result.average_distortion
             << std::endl;
   return EXIT_SUCCESS;
 }

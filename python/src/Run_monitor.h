@@ -58,6 +58,11 @@ public:
     m_progress = {phase, m_begin + (m_end - m_begin) * fraction};
   }
 
+  void ended(const CGAL::Surface_mesh_cutting::Run_profile& profile) { m_profile = profile; }
+
+  // Of the last run that has ended.
+  const CGAL::Surface_mesh_cutting::Run_profile& profile() const { return m_profile; }
+
   void stop() { m_is_stopped = true; }
   Progress latest_progress() const
   {
@@ -72,6 +77,7 @@ private:
   mutable std::mutex m_mutex;
   double m_begin = 0, m_end = 1;
   Progress m_progress;
+  CGAL::Surface_mesh_cutting::Run_profile m_profile;
 };
 
 } // namespace binding

@@ -13,7 +13,7 @@
 #include "Named_surface.h"
 #include "array_views.h"
 
-#include <CGAL/Surface_mesh_cutting/Phase_times.h>
+#include <CGAL/Surface_mesh_cutting/Run_profile.h>
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 

@@ -111,6 +111,7 @@ Cut_surface run(Named_surface& surface, const Cutting_options& options, const st
         write_map(adapter, found, options.do_bijective, packing, monitor, result, packing_status);
     },
     np);
+  result.profile = monitor.profile();
   if(packing_status)
     merge(*packing_status, result);
   return result;

@@ -79,6 +79,7 @@ struct Cut_surface
   double uv_scale = 1;         // length of an edge in the map over that on the surface
   std::optional<double> fill;  // area of the charts in the unit square, if they are packed there
   std::vector<double> page_fills;
+  SMC::Run_profile profile;    // without packing
   double packing_seconds = 0, packing_cpu_seconds = 0;
 };
 

@@ -122,8 +122,8 @@ py::dict describe(Cut_surface surface)
   result["is_optimal"] = found.is_optimal ? py::object(py::bool_(*found.is_optimal)) : py::none();
   result["trade_offs"] = to_array(found.trade_offs);
   result["symmetry"] = to_object(found.symmetry);
-  result["seconds"] = to_dict(found.seconds, surface.packing_seconds);
-  result["cpu_seconds"] = to_dict(found.cpu_seconds, surface.packing_cpu_seconds);
+  result["seconds"] = to_dict(surface.profile.seconds, surface.packing_seconds);
+  result["cpu_seconds"] = to_dict(surface.profile.cpu_seconds, surface.packing_cpu_seconds);
   result["average_distortion"] = found.average_distortion;
   result["largest_face_distortion"] = found.largest_face_distortion;
   py::dict quantiles;

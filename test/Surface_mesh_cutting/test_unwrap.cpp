@@ -64,12 +64,11 @@ void test_valid(Mesh mesh, const char* name)
 {
   Maps<Mesh> maps(mesh), again(mesh);
   const SMC::Unwrap_result<Mesh> result = SMC::unwrap(mesh, maps.is_cut, maps.uv);
-  std::cout << name << ": " << result.number_of_features << " features, E " << result.average_distortion << std::endl;
+  std::cout << name << ": " << result.feature_points.size() << " features, E " << result.average_distortion << std::endl;
   CHECK(result, result.status.message.c_str());
   CHECK(SMC::certify_unwrap(mesh, maps.is_cut, maps.uv), "certificate");
   CHECK(SMC::is_cut_to_disks(mesh, maps.is_cut), "disks");
   CHECK(result.genus == 0 && result.components == 1 && result.borders == 0, "topology");
-  CHECK(result.number_of_features == int(result.feature_points.size()), "feature points");
   CHECK(std::abs(result.cut_length - SMC::cut_length(mesh, maps.is_cut)) <= 1e-12 * result.cut_length, "length");
   CHECK(result.average_distortion >= 4 && result.average_distortion <= 4.5 && result.largest_face_distortion >= result.average_distortion, "energy");
   CHECK(result.lower_bound && *result.lower_bound <= result.cut_length * (1 + 1e-12), "lower bound");
@@ -112,6 +111,9 @@ struct Exclusive_visitor : public SMC::Default_visitor
   bool go_further() { return visit(); }
   void progress(SMC::Phase, double) { visit(); }
 
+  SMC::Run_profile profile;
+  void ended(const SMC::Run_profile& p) { profile = p; }
+
 private:
   bool visit()
   {
@@ -146,6 +148,9 @@ void test_topologies()
                                                             CGAL::parameters::visitor(std::ref(visitor))) &&
             maps.values(mesh) == again.values(mesh), "the same with components in parallel");
     CHECK(!visitor.is_shared, "one thread at a time calls the visitor");
+    const SMC::Phase_counts& unknowns = visitor.profile.factorized_unknowns;
+    CHECK(unknowns.parameterize > 0 && unknowns.total >= unknowns.parameterize + unknowns.refine &&
+            visitor.profile.seconds.total > 0, "what the run took");
     for(auto e : edges(mesh))
       CHECK(!is_border(e, mesh) || !get(maps.is_cut, e), "a border edge is not cut");
   }
@@ -254,7 +259,7 @@ void test_methods()
 
   std::vector<test::Surface_mesh::Vertex_index> points;
   const auto detected = SMC::detect_feature_points(mesh, std::back_inserter(points));
-  CHECK(detected && detected.number_of_features == int(points.size()) && points.size() >= 2, "detection");
+  CHECK(detected && detected.feature_points.size() == points.size() && points.size() >= 2, "detection");
 }
 
 struct Stopping_visitor : public SMC::Default_visitor
@@ -262,6 +267,9 @@ struct Stopping_visitor : public SMC::Default_visitor
   int calls_left;
   explicit Stopping_visitor(int calls) : calls_left(calls) {}
   bool go_further() { return --calls_left > 0; }
+
+  int endings = 0;
+  void ended(const SMC::Run_profile&) { ++endings; }
 };
 
 // The maps stay as they were where there is no result, which only a stop may leave.
@@ -292,6 +300,7 @@ void test_refusals()
     Stopping_visitor visitor(calls);
     CHECK(code_of(test::bumpy_sphere(10), CGAL::parameters::visitor(std::ref(visitor))) == Status_code::STOPPED,
           "visitor");
+    CHECK(visitor.endings == 1, "the end of a stopped run");
   }
   for(double seconds : {1e-9, -1., std::numeric_limits<double>::quiet_NaN()})
     CHECK(code_of(test::bumpy_sphere(10), CGAL::parameters::maximum_running_time(seconds)) == Status_code::STOPPED,

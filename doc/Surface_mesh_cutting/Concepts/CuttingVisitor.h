@@ -23,4 +23,9 @@ public:
   /// `CGAL::Surface_mesh_cutting::connect_points()`, `CGAL::Surface_mesh_cutting::cut_handles()` and
   /// `CGAL::Surface_mesh_cutting::visibility_weights()` do not call it.
   void progress(CGAL::Surface_mesh_cutting::Phase phase, double fraction);
+
+  /// is called once with what the run took, at the end of `CGAL::Surface_mesh_cutting::greedy_cut()`,
+  /// `CGAL::Surface_mesh_cutting::detect_feature_points()`, `CGAL::Surface_mesh_cutting::unwrap()`, and
+  /// `CGAL::Surface_mesh_cutting::unwrap_polygon_soup()`, with any status. Other functions do not call it.
+  void ended(const CGAL::Surface_mesh_cutting::Run_profile& profile);
 };

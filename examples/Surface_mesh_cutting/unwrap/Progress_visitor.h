@@ -24,6 +24,11 @@ public:
     m_progress.show(name_of(phase), m_part.begin + (m_part.end - m_part.begin) * fraction);
   }
 
+  void ended(const CGAL::Surface_mesh_cutting::Run_profile& profile) { m_profile = profile; }
+
+  // Of the computation, once it has ended.
+  const CGAL::Surface_mesh_cutting::Run_profile& profile() const { return m_profile; }
+
 private:
   static const char* name_of(CGAL::Surface_mesh_cutting::Phase phase)
   {
@@ -47,6 +52,7 @@ private:
   }
 
   const Part_of_run m_part;
+  CGAL::Surface_mesh_cutting::Run_profile m_profile;
   Progress_display m_progress;
 };
 

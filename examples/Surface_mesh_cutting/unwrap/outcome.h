@@ -7,7 +7,7 @@
 #include "Surface.h"
 
 #include <CGAL/Surface_mesh_cutting/Distortion_measures.h>
-#include <CGAL/Surface_mesh_cutting/Phase_counts.h>
+#include <CGAL/Surface_mesh_cutting/Run_profile.h>
 #include <CGAL/Surface_mesh_cutting/Reflection_plane.h>
 #include <CGAL/Surface_mesh_cutting/Seam_measures.h>
 #include <CGAL/Surface_mesh_cutting/Unwrap_result.h>

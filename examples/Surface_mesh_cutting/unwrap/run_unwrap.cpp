@@ -151,9 +151,6 @@ void tell(const Result& result, const Surface& surface, const Polygon_soup& soup
   outcome.genus = result.genus;
   outcome.borders = result.borders;
   outcome.symmetry = result.symmetry;
-  outcome.seconds = phase_seconds(result.seconds);
-  outcome.cpu_seconds = phase_seconds(result.cpu_seconds);
-  outcome.factorized_unknowns = result.factorized_unknowns;
   if(!outcome.has_result)
   {
     if(outcome.exit_code == Exit_code::STOPPED)
@@ -161,7 +158,7 @@ void tell(const Result& result, const Surface& surface, const Polygon_soup& soup
     return;
   }
   outcome.candidates = result.number_of_candidates;
-  outcome.features = result.number_of_features;
+  outcome.features = int(result.feature_points.size());
   outcome.auxiliary = result.number_of_auxiliary_points;
   outcome.cut_length = result.cut_length / result.bounding_box_diagonal;
   if(outcome.has_weights)
@@ -232,12 +229,11 @@ Result run_library(const Mesh& mesh, const Options& options, const Constraints& 
            : SMC::unwrap<Tag>(mesh, is_cut, uvs, parameters);
 }
 
-Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Cut_map is_cut,
-                   UV_map uvs)
+Result run_library(const Mesh& mesh, const Options& options, const Constraints& constraints, Progress_visitor& visitor,
+                   Cut_map is_cut, UV_map uvs)
 {
   using Matrix = Eigen::SparseMatrix<double>;
   using Simplicial = Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int> >; // unknowns come ordered
-  Progress_visitor visitor(options, {0, has_packing(options) ? share_without_packing : 1});
   const auto run = [&](auto solver) { return run_library(mesh, options, constraints, visitor, is_cut, uvs, solver); };
   if(options.solver == "eigen")
     return run(CGAL::Eigen_solver_traits<Simplicial>());
@@ -297,8 +293,12 @@ Result find_layout(const Polygon_soup& soup, Surface& surface, Stacking* stackin
   outcome.warnings.insert(outcome.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
   if(stacking != nullptr)
     constraints = stacking->constraints_of_originals(constraints);
-  const Result result = run_library(work.surface.mesh, options, constraints, work.is_cut, work.uvs);
+  Progress_visitor visitor(options, {0, has_packing(options) ? share_without_packing : 1});
+  const Result result = run_library(work.surface.mesh, options, constraints, visitor, work.is_cut, work.uvs);
   tell(result, work.surface, soup, outcome);
+  outcome.seconds = phase_seconds(visitor.profile().seconds);
+  outcome.cpu_seconds = phase_seconds(visitor.profile().cpu_seconds);
+  outcome.factorized_unknowns = visitor.profile().factorized_unknowns;
   if(stacking != nullptr)
     tell_numbers(surface.mesh, outcome);
   return result;

@@ -14,8 +14,6 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Phase_counts.h>
-#include <CGAL/Surface_mesh_cutting/Phase_times.h>
 #include <CGAL/Surface_mesh_cutting/Reflection_plane.h>
 #include <CGAL/Surface_mesh_cutting/Result_status.h>
 #include <CGAL/Surface_mesh_cutting/Trade_off.h>
@@ -45,7 +43,6 @@ struct Cut_result
   int borders = 0;    ///< number of border loops of the surface.
 
   int number_of_candidates = 0;       ///< number of candidates for feature points.
-  int number_of_features = 0;         ///< number of feature points.
   int number_of_auxiliary_points = 0; ///< number of branch points that the connection added.
   /// the feature points.
   std::vector<typename Finding<TriangleMesh>::Descriptors::vertex_descriptor> feature_points;
@@ -69,13 +66,6 @@ struct Cut_result
   /// the symmetry of the surface, if the named parameter `symmetry` asks for one and there is one. Unless a warning says otherwise,
   /// it maps the cut to itself.
   std::optional<Reflection_plane> symmetry;
-
-  Phase_times seconds;     ///< wall time.
-  Phase_times cpu_seconds; ///< processor time of all threads.
-  /// number of unknowns, summed over all numeric factorizations of linear systems: a cost that does not depend on the
-  /// machine. One factorization for a map of the whole surface counts about two per vertex. With `Parallel_tag`, the sum
-  /// includes steps that were tried in advance and discarded, and the phases of different components and starts overlap.
-  Phase_counts factorized_unknowns;
 
   /// `true` iff everything requested was computed.
   explicit operator bool() const { return bool(status); }

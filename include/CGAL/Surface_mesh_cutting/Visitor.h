@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
+#include <CGAL/Surface_mesh_cutting/Run_profile.h>
+
 #include <string>
 
 namespace CGAL {
@@ -66,6 +68,9 @@ struct Default_visitor
   /// is called with the current phase and the fraction of the whole run that is done: `fraction` is an estimate between
   /// 0 and 1 that never decreases, and is 1 when the run has succeeded. Phases recur with each start.
   void progress(Phase, double /* fraction */) {}
+
+  /// is called once, at the end of a run, with what it took.
+  void ended(const Run_profile&) {}
 };
 
 } // namespace Surface_mesh_cutting

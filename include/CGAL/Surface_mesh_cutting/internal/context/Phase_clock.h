@@ -14,8 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_cutting.h>
 
-#include <CGAL/Surface_mesh_cutting/Phase_counts.h>
-#include <CGAL/Surface_mesh_cutting/Phase_times.h>
+#include <CGAL/Surface_mesh_cutting/Run_profile.h>
 #include <CGAL/Surface_mesh_cutting/Visitor.h>
 
 #include <atomic>
@@ -65,9 +64,12 @@ public:
     Moment m_start;
   };
 
-  Phase_times wall() const { return with_total(m_wall, now().wall - m_total_start.wall); }
-  Phase_times cpu() const { return with_total(m_cpu, now().cpu - m_total_start.cpu); }
-  Phase_counts factorized_unknowns() const { return with_total(m_counts, now().unknowns); }
+  Run_profile profile() const
+  {
+    const Moment end = now();
+    return {with_total(m_wall, end.wall - m_total_start.wall), with_total(m_cpu, end.cpu - m_total_start.cpu),
+            with_total(m_counts, end.unknowns)};
+  }
 
 private:
   Moment now() const

@@ -53,7 +53,6 @@ void translate(const Mesh_result& found, const Adapter& adapter, Cut_result<Tria
   result.genus = found.genus;
   result.borders = found.borders;
   result.number_of_candidates = found.number_of_candidates;
-  result.number_of_features = int(found.features.size());
   result.number_of_auxiliary_points = found.number_of_auxiliary_points;
   for(int v : found.features)
     result.feature_points.push_back(adapter.to_vertex(v));
@@ -158,9 +157,7 @@ Result run_on_adapter(const MakeAdapter& make_adapter, Output_kind output, Write
     status.warnings.insert(status.warnings.end(), found.warnings.begin(), found.warnings.end());
   }
   result.status = adapter.translate(status);
-  result.seconds = clock.wall();
-  result.cpu_seconds = clock.cpu();
-  result.factorized_unknowns = clock.factorized_unknowns();
+  visitor.ended(clock.profile());
   return result;
 }
 
