@@ -379,9 +379,8 @@ void test_stopping()
 int main()
 {
   using namespace refinement_test;
-  const unsigned int seed = CGAL::get_default_random().get_seed();
-  std::cout << "seed " << seed << std::endl;
-  CGAL::Random random(seed);
+  CGAL::Random random(CGAL::get_default_random().get_seed());
+  std::cout << "seed " << random.get_seed() << std::endl;
   test_bounds();
   test_objective();
   test_undominated_trade_offs(random);

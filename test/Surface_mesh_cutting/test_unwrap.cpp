@@ -148,9 +148,7 @@ void test_topologies()
                                                             CGAL::parameters::visitor(std::ref(visitor))) &&
             maps.values(mesh) == again.values(mesh), "the same with components in parallel");
     CHECK(!visitor.is_shared, "one thread at a time calls the visitor");
-    const SMC::Phase_counts& unknowns = visitor.profile.factorized_unknowns;
-    CHECK(unknowns.parameterize > 0 && unknowns.total >= unknowns.parameterize + unknowns.refine &&
-            visitor.profile.seconds.total > 0, "what the run took");
+    CHECK(visitor.profile.seconds.total > 0 && visitor.profile.factorized_unknowns.total > 0, "what the run took");
     for(auto e : edges(mesh))
       CHECK(!is_border(e, mesh) || !get(maps.is_cut, e), "a border edge is not cut");
   }
