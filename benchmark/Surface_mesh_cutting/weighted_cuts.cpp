@@ -157,7 +157,8 @@ std::vector<double> avoid_view_from(const Vector_3& direction, const Mesh& mesh,
 {
   const int number_of_rays = 64;
   const double smallest_factor = 0.25;
-  SMC::visibility_weights(mesh, weights, number_of_rays, smallest_factor, CGAL::parameters::up_direction(direction));
+  SMC::visibility_weights(mesh, weights, CGAL::parameters::number_of_rays(number_of_rays).smallest_factor(smallest_factor)
+                                           .up_direction(direction));
   return seen_lengths(mesh, direction);
 }
 

@@ -39,8 +39,8 @@ int main(int argc, char** argv)
   const auto product = CGAL::parameters::edge_weight_map(weight);
   const bool is_weighed
     = SMC::painted_weights(mesh, weight, paint)
-      && SMC::crease_weights(mesh, weight, 0.2, product.smallest_convex_factor(0.6)) // concave before convex
-      && SMC::visibility_weights(mesh, weight, 64, 0.2, product.up_direction(Kernel::Vector_3(0, 1, 0))); // not on top
+      && SMC::crease_weights(mesh, weight, product.smallest_factor(0.2).smallest_convex_factor(0.6)) // concave before convex
+      && SMC::visibility_weights(mesh, weight, product.smallest_factor(0.2).up_direction(Kernel::Vector_3(0, 1, 0))); // not on top
   if(!is_weighed)
     return EXIT_FAILURE;
 

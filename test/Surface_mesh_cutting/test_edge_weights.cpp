@@ -65,7 +65,7 @@ void test_creases()
   const int n = 5;
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(prism(n));
   const Weights<Surface_mesh> weights = make_weights(mesh);
-  CHECK(SMC::crease_weights(mesh, weights, 0.25));
+  CHECK(SMC::crease_weights(mesh, weights, CGAL::parameters::smallest_factor(0.25)));
   int creases = 0, indexed_edges = 0;
   for(auto e : edges(mesh))
   {
@@ -130,18 +130,19 @@ void test_visibility(const Soup& soup)
 {
   const Mesh mesh = test::make_mesh<Mesh>(soup);
   const Weights<Mesh> weights = make_weights(mesh), other_weights = make_weights(mesh);
-  CHECK(SMC::visibility_weights(mesh, weights, 32, 0.5));
+  CHECK(SMC::visibility_weights(mesh, weights, CGAL::parameters::number_of_rays(32).smallest_factor(0.5)));
   for(auto e : edges(mesh))
   {
     const auto p = get(CGAL::vertex_point, mesh, source(e, mesh));
     const bool is_inside = CGAL::to_double((p - CGAL::ORIGIN).squared_length()) < 2;
     CHECK(are_close(get(weights, e), length(mesh, e) * (is_inside ? 0.5 : 1)));
   }
-  CHECK(SMC::visibility_weights(mesh, other_weights, 32, 0.5));
+  CHECK(SMC::visibility_weights(mesh, other_weights, CGAL::parameters::number_of_rays(32).smallest_factor(0.5)));
   for(auto e : edges(mesh))
     CHECK(get(weights, e) == get(other_weights, e));
 #ifdef CGAL_LINKED_WITH_TBB
-  CHECK(SMC::visibility_weights<CGAL::Parallel_tag>(mesh, other_weights, 32, 0.5));
+  CHECK(SMC::visibility_weights<CGAL::Parallel_tag>(mesh, other_weights,
+                                                    CGAL::parameters::number_of_rays(32).smallest_factor(0.5)));
   for(auto e : edges(mesh))
     CHECK(get(weights, e) == get(other_weights, e));
 #endif
@@ -154,9 +155,9 @@ void test_torus()
   const Surface_mesh mesh = test::make_mesh<Surface_mesh>(test::torus(m, n));
   const Weights<Surface_mesh> few = make_weights(mesh), many = make_weights(mesh);
   const Weights<Surface_mesh> other_seed = make_weights(mesh);
-  CHECK(SMC::visibility_weights(mesh, few, 200, 0.));
-  CHECK(SMC::visibility_weights(mesh, many, 800, 0.));
-  CHECK(SMC::visibility_weights(mesh, other_seed, 200, 0., CGAL::parameters::random_seed(1)));
+  CHECK(SMC::visibility_weights(mesh, few, CGAL::parameters::number_of_rays(200).smallest_factor(0.)));
+  CHECK(SMC::visibility_weights(mesh, many, CGAL::parameters::number_of_rays(800).smallest_factor(0.)));
+  CHECK(SMC::visibility_weights(mesh, other_seed, CGAL::parameters::random_seed(1).number_of_rays(200).smallest_factor(0.)));
   bool differs = false;
   for(auto e : edges(mesh))
   {
@@ -179,10 +180,10 @@ void test_refused()
   CHECK(SMC::crease_weights(empty, make_weights(empty)).code == Status_code::EMPTY_MESH);
   for(double factor : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()})
   {
-    CHECK(SMC::crease_weights(mesh, weights, factor).code == Status_code::WRONG_PARAMETER);
-    CHECK(SMC::visibility_weights(mesh, weights, 4, factor).code == Status_code::WRONG_PARAMETER);
+    CHECK(SMC::crease_weights(mesh, weights, CGAL::parameters::smallest_factor(factor)).code == Status_code::WRONG_PARAMETER);
+    CHECK(SMC::visibility_weights(mesh, weights, CGAL::parameters::smallest_factor(factor)).code == Status_code::WRONG_PARAMETER);
   }
-  CHECK(SMC::visibility_weights(mesh, weights, 0).code == Status_code::WRONG_PARAMETER);
+  CHECK(SMC::visibility_weights(mesh, weights, CGAL::parameters::number_of_rays(0)).code == Status_code::WRONG_PARAMETER);
 }
 
 // Ends the run at its n-th question.
@@ -205,15 +206,15 @@ void test_stopped()
       put(weights, e, -1);
     int questions = 0;
     const SMC::Result_status<Surface_mesh> status = SMC::visibility_weights(
-      mesh, weights, 16, 0.5, CGAL::parameters::visitor(Stopping_visitor(n, questions)));
+      mesh, weights, CGAL::parameters::number_of_rays(16).smallest_factor(0.5).visitor(Stopping_visitor(n, questions)));
     CHECK(status.code == Status_code::STOPPED && questions == n);
     for(auto e : edges(mesh))
       CHECK(get(weights, e) == -1);
   }
   int questions = 0;
   const int many = int(num_edges(mesh));
-  CHECK(SMC::visibility_weights(mesh, weights, 16, 0.5,
-                                CGAL::parameters::visitor(Stopping_visitor(many, questions))));
+  CHECK(SMC::visibility_weights(
+    mesh, weights, CGAL::parameters::number_of_rays(16).smallest_factor(0.5).visitor(Stopping_visitor(many, questions))));
   CHECK(questions > many / 100);
 }
 

@@ -87,7 +87,7 @@ void test_weights()
 {
   Mesh mesh = icosahedron();
   const auto weight = mesh.add_property_map<Mesh::Edge_index, double>("e:weight", 0.).first;
-  CHECK(SMC::visibility_weights(mesh, weight, 16, 0.1), "visibility_weights() succeeds");
+  CHECK(SMC::visibility_weights(mesh, weight, CGAL::parameters::number_of_rays(16).smallest_factor(0.1)), "visibility_weights() succeeds");
   for(Mesh::Edge_index e : mesh.edges())
     CHECK(is_near(weight[e], edge_length(mesh, e)), "nothing blocks the view from a convex surface");
 }

@@ -204,6 +204,7 @@ void test_errors(CGAL::Random& random)
   CHECK(flipped.status.code == Status_code::NOT_CERTIFIED && flipped.status.faces.size() == charts.mesh.number_of_faces());
   mirror();
   CHECK(code(parameters::visitor(Stopping_visitor())) == Status_code::STOPPED);
+  CHECK(code(parameters::maximum_running_time(-1.)) == Status_code::STOPPED);
   check_distances(charts, 2, 1024);
   CHECK(code(parameters::margin(1)) == Status_code::OK);
 }

@@ -34,6 +34,8 @@ using Paint = Mesh::Property_map<Vertex, double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
+const auto rays = parameters::number_of_rays(400).smallest_factor(0.);
+
 Weights make_weights(Mesh& mesh) { return mesh.add_property_map<Edge, double>("", -1).first; }
 
 double length(const Mesh& mesh, Edge e)
@@ -60,8 +62,8 @@ void test_concave_creases()
       soup.points[i][k] = l[i / (n + 1)][k];
   Mesh mesh = test::make_mesh<Mesh>(soup);
   const Weights plain = make_weights(mesh), concave = make_weights(mesh);
-  CHECK(SMC::crease_weights(mesh, plain, 0.25));
-  CHECK(SMC::crease_weights(mesh, concave, 0.25, parameters::smallest_convex_factor(0.75)));
+  CHECK(SMC::crease_weights(mesh, plain, parameters::smallest_factor(0.25)));
+  CHECK(SMC::crease_weights(mesh, concave, parameters::smallest_convex_factor(0.75).smallest_factor(0.25)));
   int number_of_concave = 0, number_of_convex = 0;
   for(const Edge e : mesh.edges())
   {
@@ -94,8 +96,8 @@ void test_sky()
   const Weights cosine = make_weights(mesh), uniform = make_weights(mesh);
   for(const Kernel::Vector_3& up : {Kernel::Vector_3(0, 0, 1), Kernel::Vector_3(-3e8, 1e8, 2e8)})
   {
-    CHECK(SMC::visibility_weights(mesh, cosine, 400, 0., parameters::up_direction(up)));
-    CHECK(SMC::visibility_weights(mesh, uniform, 400, 0., parameters::up_direction(up).use_uniform_directions(true)));
+    CHECK(SMC::visibility_weights(mesh, cosine, rays.up_direction(up)));
+    CHECK(SMC::visibility_weights(mesh, uniform, rays.up_direction(up).use_uniform_directions(true)));
     for(const Edge e : mesh.edges())
     {
       const Kernel::Vector_3 normal = CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) - CGAL::ORIGIN;
@@ -107,8 +109,7 @@ void test_sky()
   }
 #ifdef CGAL_LINKED_WITH_TBB
   const Weights parallel = make_weights(mesh);
-  CHECK(SMC::visibility_weights<CGAL::Parallel_tag>(
-    mesh, parallel, 400, 0., parameters::up_direction(Kernel::Vector_3(-3e8, 1e8, 2e8))));
+  CHECK(SMC::visibility_weights<CGAL::Parallel_tag>(mesh, parallel, rays.up_direction(Kernel::Vector_3(-3e8, 1e8, 2e8))));
   for(const Edge e : mesh.edges())
     CHECK(parallel[e] == cosine[e]);
 #endif
@@ -138,8 +139,8 @@ void test_occlusion()
   const int n = 5;
   Mesh mesh = test::make_mesh<Mesh>(cup());
   const Weights far = make_weights(mesh), near = make_weights(mesh);
-  CHECK(SMC::visibility_weights(mesh, far, 400, 0.));
-  CHECK(SMC::visibility_weights(mesh, near, 400, 0., parameters::occlusion_radius(0.02)));
+  CHECK(SMC::visibility_weights(mesh, far, rays));
+  CHECK(SMC::visibility_weights(mesh, near, rays.occlusion_radius(0.02)));
   int edges_of_rings = 0;
   for(const Edge e : mesh.edges())
   {
@@ -171,7 +172,7 @@ void test_straightness(double stretch, double scale)
   soup.scale(scale);
   Mesh mesh = test::make_mesh<Mesh>(soup);
   const Weights weights = make_weights(mesh);
-  CHECK(SMC::straightness_weights(mesh, weights, 0.2));
+  CHECK(SMC::straightness_weights(mesh, weights, parameters::smallest_factor(0.2)));
   const double bent = 1 / (1 + 1 / (8 + n * height * n * height)); // curvature 1, and the squared diagonal
   const double cosine = (1 - stretch * stretch) / (1 + stretch * stretch);
   int straight = 0, oblique = 0;
@@ -196,8 +197,8 @@ void test_without_directions()
     p[2] = 0;
   Mesh plane = test::make_mesh<Mesh>(flat), sphere = test::make_mesh<Mesh>(round_sphere());
   const Weights on_plane = make_weights(plane), on_sphere = make_weights(sphere);
-  CHECK(SMC::straightness_weights(plane, on_plane, 0.2));
-  CHECK(SMC::straightness_weights(sphere, on_sphere, 0.2));
+  CHECK(SMC::straightness_weights(plane, on_plane, parameters::smallest_factor(0.2)));
+  CHECK(SMC::straightness_weights(sphere, on_sphere, parameters::smallest_factor(0.2)));
   for(const Edge e : plane.edges())
     CHECK(are_close(factor(plane, on_plane, e), 1));
   for(const Edge e : sphere.edges())
@@ -243,19 +244,19 @@ void test_products()
   const Weights crease = make_weights(mesh), painted = make_weights(mesh), visible = make_weights(mesh),
                 straight = make_weights(mesh), product = make_weights(mesh), other = make_weights(mesh);
   const Paint paint = make_paint(mesh);
-  CHECK(SMC::crease_weights(mesh, crease, 0.3));
+  CHECK(SMC::crease_weights(mesh, crease, parameters::smallest_factor(0.3)));
   CHECK(SMC::painted_weights(mesh, painted, paint));
-  CHECK(SMC::visibility_weights(mesh, visible, 16, 0.4));
-  CHECK(SMC::straightness_weights(mesh, straight, 0.5));
+  CHECK(SMC::visibility_weights(mesh, visible, parameters::number_of_rays(16).smallest_factor(0.4)));
+  CHECK(SMC::straightness_weights(mesh, straight, parameters::smallest_factor(0.5)));
 
-  CHECK(SMC::crease_weights(mesh, product, 0.3));
-  CHECK(SMC::visibility_weights(mesh, product, 16, 0.4, parameters::edge_weight_map(product)));
+  CHECK(SMC::crease_weights(mesh, product, parameters::smallest_factor(0.3)));
+  CHECK(SMC::visibility_weights(mesh, product, parameters::edge_weight_map(product).number_of_rays(16).smallest_factor(0.4)));
   CHECK(SMC::painted_weights(mesh, product, paint, parameters::edge_weight_map(product)));
-  CHECK(SMC::straightness_weights(mesh, product, 0.5, parameters::edge_weight_map(product)));
+  CHECK(SMC::straightness_weights(mesh, product, parameters::edge_weight_map(product).smallest_factor(0.5)));
   CHECK(SMC::painted_weights(mesh, other, paint));
-  CHECK(SMC::straightness_weights(mesh, other, 0.5, parameters::edge_weight_map(other)));
-  CHECK(SMC::crease_weights(mesh, other, 0.3, parameters::edge_weight_map(other)));
-  CHECK(SMC::visibility_weights(mesh, other, 16, 0.4, parameters::edge_weight_map(other)));
+  CHECK(SMC::straightness_weights(mesh, other, parameters::edge_weight_map(other).smallest_factor(0.5)));
+  CHECK(SMC::crease_weights(mesh, other, parameters::edge_weight_map(other).smallest_factor(0.3)));
+  CHECK(SMC::visibility_weights(mesh, other, parameters::edge_weight_map(other).number_of_rays(16).smallest_factor(0.4)));
   for(const Edge e : mesh.edges())
   {
     const double l = length(mesh, e);
@@ -285,17 +286,18 @@ void test_refused()
   Mesh mesh = test::make_mesh<Mesh>(cup()), empty;
   const Weights weights = make_weights(mesh);
   const auto code = [](const SMC::Result_status<Mesh>& status) { return status.code; };
-  const auto look = [&](const auto& np) { return code(SMC::visibility_weights(mesh, weights, 4, 0.2, np)); };
+  const auto look = [&](const auto& np) { return code(SMC::visibility_weights(mesh, weights, np.number_of_rays(4))); };
   for(const double value : {-0.1, 1.1, not_a_number})
   {
-    CHECK(code(SMC::crease_weights(mesh, weights, 0.2, parameters::smallest_convex_factor(value)))
+    CHECK(code(SMC::crease_weights(mesh, weights, parameters::smallest_convex_factor(value)))
           == Status_code::WRONG_PARAMETER);
-    CHECK(code(SMC::straightness_weights(mesh, weights, value)) == Status_code::WRONG_PARAMETER);
+    CHECK(code(SMC::straightness_weights(mesh, weights, parameters::smallest_factor(value))) == Status_code::WRONG_PARAMETER);
   }
   for(const double value : {0., not_a_number, infinity})
     CHECK(look(parameters::up_direction(Kernel::Vector_3(0, value, 0))) == Status_code::WRONG_PARAMETER);
   for(const double value : {0., -1., not_a_number})
     CHECK(look(parameters::occlusion_radius(value)) == Status_code::WRONG_PARAMETER);
+  CHECK(look(parameters::maximum_running_time(-1.)) == Status_code::STOPPED);
   for(const Edge e : mesh.edges())
     CHECK(weights[e] == -1);
   CHECK(look(parameters::up_direction(Kernel::Vector_3(0, 1e-300, 0)).occlusion_radius(infinity)) == Status_code::OK);
@@ -309,8 +311,9 @@ void test_exact_kernel()
   const test::Polyhedron mesh = test::make_mesh<test::Polyhedron>(test::sphere(6, 3));
   const auto weights = get(CGAL::dynamic_edge_property_t<double>(), mesh);
   CHECK(SMC::straightness_weights(mesh, weights));
-  CHECK(SMC::visibility_weights(mesh, weights, 4, 0.2,
-                                parameters::up_direction(test::Exact_kernel::Vector_3(0, 0, 1)).edge_weight_map(weights)));
+  CHECK(SMC::visibility_weights(mesh, weights, parameters::number_of_rays(4)
+                                                 .up_direction(test::Exact_kernel::Vector_3(0, 0, 1))
+                                                 .edge_weight_map(weights)));
   for(auto e : edges(mesh))
     CHECK(get(weights, e) > 0);
 }

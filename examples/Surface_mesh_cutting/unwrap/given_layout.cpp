@@ -93,5 +93,5 @@ void tell_given_layout(const Mesh& mesh, Cut_map is_cut, UV_map uvs, Outcome& ou
   outcome.cut_length = length / diagonal_of(mesh);
   const SMC::Distortion_report<Mesh> measures = SMC::distortion_report(mesh, is_cut, uvs);
   if(measures && certificate.flips == 0)
-    outcome.average_energy = 2 * measures.symmetric_Dirichlet_energy; // of which 2 is ideal there
+    outcome.average_energy = measures.symmetric_Dirichlet_energy;
 }

@@ -88,7 +88,7 @@ Json to_json(const std::optional<CGAL::Surface_mesh_cutting::Distortion_measures
           {"max_angle_distortion", number(measures->largest_angle_distortion)},
           {"average_angle_discrepancy", number(measures->average_angle_discrepancy)},
           {"resolution", number(measures->resolution)},
-          {"symmetric_dirichlet_energy", number(measures->symmetric_Dirichlet_energy)},
+          {"symmetric_dirichlet_energy", number(measures->symmetric_Dirichlet_energy / 2)},
           {"mesh_cut_length", number(measures->cut_length)},
           {"overlaps", to_json(measures->overlaps)}};
 }

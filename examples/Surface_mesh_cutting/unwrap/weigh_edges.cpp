@@ -88,8 +88,11 @@ template <typename NamedParameters>
 void multiply_by_visibility(const Mesh& mesh, Weights weights, const NamedParameters& view)
 {
   constexpr int number_of_rays = 64;
-  SMC::visibility_weights<CGAL::Parallel_if_available_tag>(mesh, weights, number_of_rays, smallest_visibility_factor,
-                                                           view.edge_weight_map(weights).visitor(Stop_visitor()));
+  SMC::visibility_weights<CGAL::Parallel_if_available_tag>(mesh, weights,
+                                                           view.number_of_rays(number_of_rays)
+                                                             .smallest_factor(smallest_visibility_factor)
+                                                             .edge_weight_map(weights)
+                                                             .visitor(Stop_visitor()));
 }
 
 void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& soup, Surface& surface, Weights weights)
@@ -99,12 +102,12 @@ void multiply(const Weight_choice& choice, bool is_first, const Polygon_soup& so
   const auto given = CGAL::parameters::edge_weight_map(weights);
   switch(choice.kind)
   {
-    case Kind::CREASE: SMC::crease_weights(mesh, weights, smallest_factor, given); break;
+    case Kind::CREASE: SMC::crease_weights(mesh, weights, given.smallest_factor(smallest_factor)); break;
     case Kind::CONCAVE:
-      SMC::crease_weights(mesh, weights, smallest_factor, given.smallest_convex_factor(smallest_convex_factor));
+      SMC::crease_weights(mesh, weights, given.smallest_factor(smallest_factor).smallest_convex_factor(smallest_convex_factor));
       break;
     case Kind::HARD: multiply_by_hardness(mesh, weights); break;
-    case Kind::STRAIGHT: SMC::straightness_weights(mesh, weights, smallest_factor, given); break;
+    case Kind::STRAIGHT: SMC::straightness_weights(mesh, weights, given.smallest_factor(smallest_factor)); break;
     case Kind::VISIBILITY: multiply_by_visibility(mesh, weights, CGAL::parameters::random_seed(0)); break;
     case Kind::OCCLUSION:
       multiply_by_visibility(mesh, weights, CGAL::parameters::occlusion_radius(occlusion_radius));

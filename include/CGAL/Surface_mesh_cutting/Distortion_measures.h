@@ -43,8 +43,8 @@ struct Distortion_measures
   /// largest \f$ 1/\sigma_2 \f$ of a face for the unscaled surface and an image that just fits into the unit square: the
   /// number of texels along a side of that square for one texel per unit of length everywhere.
   double resolution = 0;
-  /// sum of \f$ a\,(\sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2})/2 \f$; 2 is ideal. This is half
-  /// of `Unwrap_result::average_distortion`, at a scale that is nearly the same.
+  /// sum of \f$ a\,(\sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2}) \f$; 4 is ideal. This is
+  /// `Unwrap_result::average_distortion`, at a scale that is nearly the same, and twice what the benchmark has.
   double symmetric_Dirichlet_energy = 0;
   double cut_length = 0; ///< length of the edges of the cut that are not on the border of the surface.
   /// number of overlaps, decided exactly, as `certify_unwrap()` does; empty if a face is not counterclockwise.

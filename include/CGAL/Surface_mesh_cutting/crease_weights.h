@@ -60,11 +60,16 @@ inline std::vector<double> crease_factors(const Indexed_mesh& mesh, double small
 /// \param tmesh the surface
 /// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
-/// \param smallest_factor the factor of a sharp edge, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{smallest_factor}
+///     \cgalParamDescription{the factor of a sharp edge, between 0 and 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.2`}
+///   \cgalParamNEnd
+///
 ///   \cgalParamNBegin{smallest_convex_factor}
 ///     \cgalParamDescription{the same as `smallest_factor` for edges at which the surface is convex. If it is
 ///                           greater, cuts prefer concave creases, where a seam is less exposed.}
@@ -84,9 +89,10 @@ inline std::vector<double> crease_factors(const Indexed_mesh& mesh, double small
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<TriangleMesh> crease_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
-                                    double smallest_factor = 0.2,
-                                    const NamedParameters& np = parameters::default_values())
+                                           const NamedParameters& np = parameters::default_values())
 {
+  const double smallest_factor = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::smallest_factor), 0.2);
   const double smallest_convex_factor = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::smallest_convex_factor), smallest_factor);
   return internal::put_weights(tmesh, edge_weight_map, np, [&](const auto& adapter, std::vector<double>& factors)

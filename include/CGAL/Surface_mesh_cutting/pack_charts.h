@@ -132,6 +132,12 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{It is copied; pass it by `std::ref` to keep it.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run ends as if the visitor ended it; 0 means no limit, and a
+///                           negative value ends the run at once}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the scale, the filled area and the number of charts. Its `status` is one of
@@ -142,7 +148,7 @@ namespace Surface_mesh_cutting {
 /// - `Status_code::INFEASIBLE_CONSTRAINTS` if there are so many charts that their margins leave no room; with
 ///   `texels_per_unit`, if a chart is larger than a page, or the charts find no room on `number_of_pages` pages;
 /// - `Status_code::WRONG_PARAMETER`;
-/// - `Status_code::STOPPED` if the visitor ended the run; the charts are packed, but could be larger;
+/// - `Status_code::STOPPED` if the visitor or the time limit ended the run; the charts are packed, but could be larger;
 /// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
 ///   `Status_code::INVALID_POINT` for an unsupported mesh.
 ///
@@ -164,8 +170,7 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
   Default_visitor default_visitor;
   internal::Visitor_reference<NamedParameters> visitor
     = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  internal::Run_control control([&visitor] { return bool(visitor.go_further()); },
-                                [&visitor](Phase phase, double fraction) { visitor.progress(phase, fraction); });
+  internal::Run_control control = internal::read_run_control(visitor, np);
   const auto adapter = internal::make_mesh_adapter(
     tmesh, np, Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>());
   const internal::Packing_parameters parameters = internal::read_packing_parameters(np);

@@ -46,10 +46,16 @@ namespace Surface_mesh_cutting {
 /// \param tmesh the surface
 /// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
-/// \param smallest_factor the factor of an edge in a principal direction, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{smallest_factor}
+///     \cgalParamDescription{the factor of an edge in a principal direction, between 0 and 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.2`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \copydetails PkgSurfaceMeshCuttingWeightParameters
 ///
 /// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for an unsupported mesh,
@@ -62,9 +68,10 @@ namespace Surface_mesh_cutting {
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<TriangleMesh> straightness_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
-                                          double smallest_factor = 0.2,
-                                          const NamedParameters& np = parameters::default_values())
+                                                 const NamedParameters& np = parameters::default_values())
 {
+  const double smallest_factor = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::smallest_factor), 0.2);
   return internal::put_weights(tmesh, edge_weight_map, np, [&](const auto& adapter, std::vector<double>& factors)
   {
     for(const double alignment : internal::principal_alignment(adapter.mesh()))

@@ -54,13 +54,13 @@ Eigen::Vector3d read_axis(const Vector_3& up_direction)
 }
 
 template <typename NamedParameters>
-View read_view(int number_of_rays, const NamedParameters& np)
+View read_view(const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
   View view;
-  view.number_of_rays = number_of_rays;
+  view.number_of_rays = choose_parameter(get_parameter(np, internal_np::number_of_rays), view.number_of_rays);
   view.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), view.random_seed);
   view.axis = read_axis(get_parameter(np, internal_np::up_direction));
   view.is_uniform = choose_parameter(get_parameter(np, internal_np::use_uniform_directions), view.is_uniform);
@@ -106,12 +106,22 @@ inline Indexed_status check_view(const View& view)
 /// \param tmesh the surface
 /// \param edge_weight_map receives the weights, for the named parameter `edge_weight_map` of
 ///        `greedy_cut()`, `unwrap()` and the functions for the steps of the method
-/// \param number_of_rays the number of rays per edge, at least one
-/// \param smallest_factor the factor of a hidden edge, between 0 and 1
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
 ///        listed below
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_rays}
+///     \cgalParamDescription{the number of rays per edge, at least one}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{`64`}
+///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{smallest_factor}
+///     \cgalParamDescription{the factor of a hidden edge, between 0 and 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.25`}
+///   \cgalParamNEnd
+///
 ///   \cgalParamNBegin{up_direction}
 ///     \cgalParamDescription{the axis of the hemisphere from which all edges are viewed; not zero}
 ///     \cgalParamType{a vector type with the members `x()`, `y()` and `z()`, such as `%Vector_3`}
@@ -145,6 +155,13 @@ inline Indexed_status check_view(const View& view)
 ///     \cgalParamDefault{`Surface_mesh_cutting::Default_visitor`}
 ///     \cgalParamExtra{It is copied; pass it by `std::ref` to keep it.}
 ///   \cgalParamNEnd
+///
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the time in seconds after which the run ends with
+///                           `Status_code::STOPPED`; 0 means no limit, and a negative value ends the run at once}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \copydetails PkgSurfaceMeshCuttingWeightParameters
 ///
@@ -158,15 +175,16 @@ inline Indexed_status check_view(const View& view)
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<TriangleMesh> visibility_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
-                                        int number_of_rays = 64, double smallest_factor = 0.25,
-                                        const NamedParameters& np = parameters::default_values())
+                                               const NamedParameters& np = parameters::default_values())
 {
-  const internal::View view = internal::read_view(number_of_rays, np);
+  const internal::View view = internal::read_view(np);
+  const double smallest_factor = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::smallest_factor), 0.25);
   Default_visitor default_visitor;
   internal::Visitor_reference<NamedParameters>
     visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
                                            default_visitor);
-  internal::Run_control control([&visitor] { return bool(visitor.go_further()); }, {});
+  internal::Run_control control = internal::read_run_control(visitor, np);
   return internal::put_weights(tmesh, edge_weight_map, np, [&](const auto& adapter, std::vector<double>& factors)
   {
     internal::Indexed_status status = internal::check_factor("smallest_factor", smallest_factor);

@@ -48,7 +48,7 @@ struct Face_distortion
   double area_distortion() const { return excess(image_area / area); }
   double angle_distortion() const { return excess(singular_values[1] / singular_values[0]); }
   double symmetric_Dirichlet_energy() const
-  { return 0.5 * (singular_values.squaredNorm() + singular_values.cwiseInverse().squaredNorm()); }
+  { return singular_values.squaredNorm() + singular_values.cwiseInverse().squaredNorm(); }
 };
 
 // Sums up the faces of a map in the terms of [SSS22]. The surface and its image get an area of 1.
