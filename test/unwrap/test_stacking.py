@@ -2,6 +2,7 @@
 
 import math
 import random
+import resource
 
 from atlas import charts_of, check_atlas
 from support import Case, main, read_obj, sphere, to_off
@@ -12,6 +13,32 @@ def part(seed):
     numbers = random.Random(seed)
     points, faces = sphere(1)
     return [tuple(x * numbers.uniform(0.8, 1.2) for x in p) for p in points], faces
+
+
+def processor_seconds():
+    """Those of all runs so far."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def screw(segments=10, rings=16):
+    """A thread with a head, whose mirror image it is not."""
+    points = [(0, 0, -1)]
+    for ring in range(rings):
+        for segment in range(segments):
+            angle = 2 * math.pi * segment / segments
+            radius = 2 if ring < 2 else 1 + 0.2 * math.cos(angle - 1.5 * ring)
+            points.append((radius * math.cos(angle), radius * math.sin(angle), 0.4 * ring - 0.8 * (ring == 0)))
+    points.append((0, 0, 0.4 * rings))
+    faces = []
+    for i in range(segments):
+        a, b = 1 + i, 1 + (i + 1) % segments
+        faces.append((0, b, a))
+        for _ in range(rings - 1):
+            faces += [(a, b, b + segments), (a, b + segments, a + segments)]
+            a, b = a + segments, b + segments
+        faces.append((a, b, len(points) - 1))
+    return points, faces
 
 
 def turned(mesh, seed, is_mirrored):
@@ -40,14 +67,17 @@ def turned(mesh, seed, is_mirrored):
     return renamed, faces
 
 
-def scene(kinds):
-    """`kinds`: of each part, its number and whether it is mirrored."""
+def scene_of(meshes):
     points, faces = [], []
-    for i, (kind, is_mirrored) in enumerate(kinds):
-        mesh = turned(part(kind), i, is_mirrored)
+    for mesh in meshes:
         faces += [tuple(v + len(points) for v in face) for face in mesh[1]]
         points += mesh[0]
     return points, faces
+
+
+def scene(kinds):
+    """`kinds`: of each part, its number and whether it is mirrored."""
+    return scene_of(turned(part(kind), i, is_mirrored) for i, (kind, is_mirrored) in enumerate(kinds))
 
 
 class Stacking(Case):
@@ -84,6 +114,33 @@ class Stacking(Case):
         self.assertEqual(alone["stacked"], [])
         self.assertEqual(alone["charts"], report["charts"])
         self.assertAlmostEqual(alone["E_iso"], report["E_iso"], delta=0.05)
+
+    def test_crate(self):
+        """Of 64 equal and 64 mirrored screws, one is cut, mapped and packed."""
+        one = screw()
+        crate = [one] + [turned(one, i, i % 2 == 1) for i in range(1, 128)]
+        reports, layouts, seconds = {}, {}, {}
+        for name, mesh in (("one", one), ("crate", scene_of(crate))):
+            self.write(name + ".off", to_off(mesh))
+            start = processor_seconds()
+            code, reports[name] = self.report(name + ".off", "-o", name + ".obj", "--stack", "--effort", "fast")
+            self.assertEqual(code, 0, reports[name]["message"])
+            seconds[name] = processor_seconds() - start
+            _, uvs, faces = read_obj(self.folder / (name + ".obj"))
+            layouts[name] = [[uvs[v] for _, v in face] for face in faces]
+        self.assertEqual(reports["crate"]["stacked"], [list(range(128))])
+        self.assertEqual(reports["crate"]["components"], 128)
+        size = len(one[1])
+        places = [set(map(frozenset, layouts["crate"][i:i + size])) for i in range(0, 128 * size, size)]
+        self.assertTrue(all(place == places[0] for place in places))
+        self.assertEqual(len(places[0]), size)
+        # The cut of the screw alone may differ, as its edges have other numbers there.
+        self.assertEqual(reports["crate"]["charts"], reports["one"]["charts"])
+        self.assertAlmostEqual(reports["crate"]["fill"], reports["one"]["fill"], delta=0.1)
+        work = {name: report["factorized_unknowns"]["total"] for name, report in reports.items()}
+        print("factorized unknowns:", work, "processor seconds:", seconds)
+        self.assertLess(work["crate"], 1.5 * work["one"])
+        self.assertLess(seconds["crate"], 16 * seconds["one"])  # as all are read, compared and written
 
     def test_tolerance(self):
         points, faces = scene([(0, False), (0, False)])
