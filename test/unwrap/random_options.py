@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -50,7 +51,7 @@ VALUES = {
 }
 ODD_VALUES = ["", "nan", "inf", "-1", "4", "1e999", "4294967296", "none", "FAST", "x", "--svg", "-o", "0x10", " 1"]
 FLAGS = ["--faithful", "--bijective", "--allow-overlap", "--quiet", "--quiet", "--quiet", "--progress", "--strict", "--tangents",
-         "--hard-surface", "--udim", "--pack-only", "--stack", "--no-such-option"]
+         "--hard-surface", "--udim", "--page-files", "--pack-only", "--stack", "--no-such-option"]
 PATIENCE = 20  # seconds, of a run on such small meshes
 
 
@@ -179,8 +180,19 @@ class Case:
         if any(option == "--texture" for option, _ in outputs):
             outputs += [("material", str(PurePath(name).with_suffix(".mtl"))) for name in meshes
                         if PurePath(name).name and PurePath(name).suffix not in (".ply", ".glb", ".gltf")]
+        if "--page-files" in self.arguments:
+            outputs = [(option, first_page(name) if option in ("--output", "--svg") else name) for option, name in outputs]
         return [(option, self.path(name)) for option, name in outputs
                 if not self.path(name).startswith(("/dev/", "/proc/"))]
+
+
+def first_page(name):
+    path = PurePath(name)
+    return str(path.with_name(f"{path.stem}.1001{path.suffix}")) if path.name else name
+
+
+def is_of_later_page(path):
+    return re.search(r"\.1(00[2-9]|0[1-9]\d|[1-9]\d\d)(\.\w+)?$", path) is not None
 
 
 def inodes(paths):
@@ -188,7 +200,8 @@ def inodes(paths):
 
 
 def judge_files(case, exit_code, messages, before, after, is_understood):
-    changed = {os.path.realpath(path) for path in changes(before, after) if not path.endswith("/log")}
+    changed = {os.path.realpath(path) for path in changes(before, after)
+               if not path.endswith("/log") and (path in before or not is_of_later_page(path))}
     inputs = inodes(case.path(name) for name in case.inputs if name)
     touched = {path for path in changed if path in before and inodes([path]) & inputs}
     if not is_understood:  # a former report is nobody's input

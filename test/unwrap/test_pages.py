@@ -4,8 +4,8 @@ import math
 import re
 
 from atlas import check_atlas
-from gltf_files import File
-from support import Case, joined, main, read_obj, sphere, to_off, to_ply
+from gltf_files import File, full
+from support import Case, joined, main, read_obj, sphere, to_obj, to_off, to_ply
 
 
 def area(points, face):
@@ -119,6 +119,63 @@ class Pages(Case):
                 points[uv] = (uvs[uv][0] - page % 10, uvs[uv][1] - page // 10)
         check_atlas(self, points, faces, pages, 2, 256)
 
+    def test_files_of_pages(self):
+        """Each has its polygons and their points, and a layout as any other one; together they are the whole."""
+        points, faces = spheres(4)
+        size = len(faces) // 4
+        lines = ["# parts", "mtllib my.mtl"] + ["v " + " ".join(map(repr, p)) for p in points]
+        for f, face in enumerate(faces):
+            if f % size == 0:
+                lines += [f"o part {f // size}", "l 1 2", "odd 7"]
+            lines.append("f " + " ".join(str(v + 1) for v in face))
+        self.write("in.obj", "\n".join(lines) + "\n")
+        options = ("--pages", "2", "--svg", "p.svg", "--texture", "t.png", "--texture-size", "256")
+        code, whole = self.report("in.obj", "-o", "whole.obj", *options)
+        self.assertEqual((code, whole["pages"]), (0, 2), whole["message"])
+        self.assert_whole_as("whole", "out", options, points)
+        _, report = self.report("in.obj", "-o", "out.obj", *options, "--page-files")
+        self.assertEqual(report["fill"], whole["fill"])
+        self.assertTrue(any("lines" in w and "unknown statements" in w for w in report["warnings"]), report["warnings"])
+
+    def assert_whole_as(self, whole, name, options, points):
+        """Runs anew with files of pages."""
+        _, uvs, faces = read_obj(self.folder / (whole + ".obj"))
+        pages = self.pages_of_groups(whole + ".obj")
+        before = set(self.files())
+        run = self.unwrap("in.obj", "-o", name + ".obj", *options, "--page-files")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        new = {"out.1001.obj", "out.1002.obj", "out.mtl", "p.1001.svg", "p.1002.svg"}
+        self.assertEqual(set(self.files()) - before, new)
+        self.assertTrue(all(file.encode() in run.stderr for file in new - {"out.mtl"}))
+        for page in range(2):
+            path = self.folder / f"{name}.{1001 + page}.obj"
+            own_points, own_uvs, own_faces = read_obj(path)
+            self.assertEqual([[(own_points[v], own_uvs[t]) for v, t in face] for face in own_faces],
+                             [[(points[v], uvs[t]) for v, t in face] for face, p in zip(faces, pages) if p == page])
+            self.assertEqual({v for face in own_faces for v, _ in face}, set(range(len(own_points))))
+            check_atlas(self, own_uvs, own_faces, [0] * len(own_faces), 2, 256)
+            statements = [line for line in path.read_text().splitlines() if line[0] in "#olg"]
+            parts = sorted({points.index(own_points[v]) // 18 for face in own_faces for v, _ in face})
+            self.assertEqual(statements, ["# parts"] + [f"o part {part}" for part in parts])
+            picture = (self.folder / f"p.{1001 + page}.svg").read_text()
+            self.assertEqual(picture.count(">100"), 1)
+            self.assertIn(f">{1001 + page}<", picture)
+
+    def test_files_of_pages_in_other_formats(self):
+        self.write("parts.ply", to_ply(spheres(3), "binary_little_endian"))
+        self.write("parts.glb", full().glb())
+        for name, out in (("parts.off", "a.glb"), ("parts.ply", "a.ply"), ("parts.glb", "a.gltf")):
+            code, report = self.report(name, "-o", out, "--page-files", "--texels-per-unit", "60", "--texture-size", "256")
+            self.assertEqual(code, 0, report["message"])
+            stem, end = out.split(".")
+            files = [f"{stem}.{1001 + page}.{end}" for page in range(report["pages"])]
+            self.assertEqual([file for file in self.files() if file.startswith("a.") and file.endswith(end)], files)
+            again = [self.report(file, "-o", "again.obj", "--pack-only")[1] for file in files]
+            self.assertEqual(sum(each["faces"] for each in again), report["faces"])
+            self.assertEqual(sum(each["charts"] for each in again), report["charts"])
+            self.assertEqual({each["overlaps"] for each in again}, {0})
+        self.assertGreater(report["pages"], 0)
+
     def test_pictures(self):
         self.assertEqual(self.unwrap("parts.off", "--pages", "2", "--svg", "a.svg", "--quiet").returncode, 0)
         text = (self.folder / "a.svg").read_text()
@@ -128,8 +185,12 @@ class Pages(Case):
         self.assert_refused(4, "parts.off", "--texels-per-unit", "1e6")
         self.assert_refused(4, "parts.off", "--texels-per-unit", "30", "--texture-size", "256", "--pages", "1")
         for words in (["--pages", "0"], ["--pages", "x"], ["--texels-per-unit", "0"], ["--texels-per-unit", "-1"],
-                      ["--pages", "2", "--uv-scale", "surface"]):
+                      ["--pages", "2", "--uv-scale", "surface"], ["--page-files", "--uv-scale", "surface"],
+                      ["--page-files", "--udim"], ["--page-files", "-o", "/dev/stdout"]):
             self.assert_refused(2, "parts.off", *words)
+        # A file of the second page, which is not known before, is never an input.
+        self.write("a.1002.obj", to_obj(spheres(7)))
+        self.assert_refused(2, "a.1002.obj", "-o", "a.obj", "--pages", "2", "--page-files")
 
 
 main()

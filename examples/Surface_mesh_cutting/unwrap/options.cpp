@@ -60,6 +60,8 @@ void add_layout_options(CLI::App& app, Options& options, const std::string& grou
     ->type_name("N")->default_str("1; with --texels-per-unit, any")->group(group);
   app.add_flag("--udim", options.is_udim,
                "Pages as UDIM tiles side by side, not on top of each\nother as groups")->group(group);
+  app.add_flag("--page-files", options.has_page_files,
+               "A mesh and a picture of each page: OUT.1001.obj and so on,\nwith its faces only")->excludes("--udim")->group(group);
   app.add_flag("--pack-only", options.is_pack_only,
                "Keep the charts of the input's texture coordinates: move,\nturn and scale them only")->group(group);
   app.add_flag("--stack", options.is_stacked,
@@ -254,8 +256,8 @@ void complete(const CLI::App& app, Options& options)
     refuse("--tangents needs --uv-set 0");
   if(options.uv_scale == "unit" && !(2 * options.margin < options.texture_size))
     refuse("--margin must be less than half of --texture-size");
-  if(options.uv_scale != "unit" && (options.texels_per_unit || options.most_pages || options.is_udim))
-    refuse("--texels-per-unit, --pages and --udim need --uv-scale unit");
+  if(options.uv_scale != "unit" && (options.texels_per_unit || options.most_pages || options.is_udim || options.has_page_files))
+    refuse("--texels-per-unit, --pages, --page-files and --udim need --uv-scale unit");
   if(options.is_stacked && options.lightmap)
     refuse("--stack: each part needs a place of its own in a light map");
   if(options.least_fill && options.uv_scale != "unit")
@@ -289,8 +291,9 @@ Attributes wanted_attributes(const Options& options)
   const std::vector<std::string>& must_cut = options.must_cut;
   const bool has_uvs = options.is_pack_only || options.initial_cut == seams_of_input ||
                        std::find(must_cut.begin(), must_cut.end(), seams_of_input) != must_cut.end();
-  return {has_uvs || (options.uv_set > 0 && is_gltf(options.output)), options.weld != "off", true, is_ply(options.output),
-          is_gltf(options.output), options.uv_set};
+  const bool has_source = !options.has_page_files; // which says where everything stands in one file
+  return {has_uvs || (options.uv_set > 0 && is_gltf(options.output)), options.weld != "off", true,
+          has_source && is_ply(options.output), has_source && is_gltf(options.output), options.uv_set};
 }
 
 std::vector<std::string> constraint_files(const Options& options)

@@ -26,6 +26,7 @@ struct Options
   std::optional<double> texels_per_unit; // none: as many as fit
   std::optional<int> most_pages;
   bool is_udim = false;
+  bool has_page_files = false; // a mesh and a picture for each page
   bool is_pack_only = false;
   bool is_stacked = false;
   double stack_tolerance = 1e-4; // of the diagonal of a part

@@ -29,6 +29,14 @@ bool is_material_renamed(const Options& options)
   return fs::path(material_path(options)).stem() != fs::path(options.output).stem();
 }
 
+std::string file_of_page(const std::string& name, int page)
+{
+  constexpr int first_tile = 1001;
+  const fs::path path = name;
+  return (path.parent_path() / (path.stem().string() + "." + std::to_string(first_tile + page) + path.extension().string()))
+    .string();
+}
+
 std::string image_from_mesh(const Options& options)
 {
   if(options.texture.empty())

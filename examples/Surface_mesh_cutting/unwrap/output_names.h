@@ -12,6 +12,9 @@
 std::string material_path(const Options& options);
 bool is_material_renamed(const Options& options);
 
+// The file of a page, which is called as its tile of UDIM: mesh.obj becomes mesh.1001.obj, mesh.1002.obj, and so on.
+std::string file_of_page(const std::string& name, int page);
+
 // The image's name as seen from the folder of the mesh, where the material is, too; empty without one.
 std::string image_from_mesh(const Options& options);
 

@@ -70,5 +70,6 @@ void place_pages(const Options& options, int number_of_pages, Layout& layout)
       const Eigen::Vector2d low = packing::corner_of_page(layout.polygon_pages[polygon]);
       layout.page_corners[std::size_t(layout.corner_uvs[corner])] = {{low.x(), low.y()}};
     }
-  layout.obj_statements.lines = with_page_groups(layout.obj_statements.lines, layout.polygon_pages);
+  if(!options.has_page_files)
+    layout.obj_statements.lines = with_page_groups(layout.obj_statements.lines, layout.polygon_pages);
 }

@@ -15,11 +15,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 namespace {
 
+using CGAL::Surface_mesh_cutting::internal::corner_of_page;
 using Point = std::array<double, 2>;
 
 constexpr double longer_side = 1000, margin = 24, legend_height = 90; // of the picture
@@ -30,8 +32,16 @@ constexpr std::size_t maximum_number_of_drawn_triangles = 10000;
 class View
 {
 public:
-  explicit View(const Layout& layout)
+  View(const Layout& layout, std::optional<int> only_page)
   {
+    if(only_page)
+    {
+      const Eigen::Vector2d low = corner_of_page(*only_page);
+      m_low = {{low.x(), low.y()}};
+      m_scale = longer_side;
+      m_size = {{longer_side, longer_side}};
+      return;
+    }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Point high = {{-infinity, -infinity}};
     m_low = {{infinity, infinity}};
@@ -44,7 +54,7 @@ public:
     for(const int page : layout.polygon_pages)
       for(std::size_t i = 0; i < 2; ++i)
       {
-        const double low = CGAL::Surface_mesh_cutting::internal::corner_of_page(page)[Eigen::Index(i)];
+        const double low = corner_of_page(page)[Eigen::Index(i)];
         m_low[i] = (std::min)(m_low[i], low);
         high[i] = (std::max)(high[i], low + 1);
       }
@@ -100,17 +110,18 @@ void draw_edges(const Layout& layout, const View& view, Number_writer& out)
   out << "\"/>\n";
 }
 
-// The squares of several pages, with the numbers of their tiles.
-void draw_pages(const Layout& layout, const View& view, Number_writer& out)
+// The square of a page, or those of several, with the numbers of their tiles.
+void draw_pages(const Layout& layout, std::optional<int> only_page, const View& view, Number_writer& out)
 {
-  if(layout.polygon_pages.empty())
+  if(layout.polygon_pages.empty() && !only_page)
     return;
   constexpr int first_tile = 1001;
-  const int number = *std::max_element(layout.polygon_pages.begin(), layout.polygon_pages.end()) + 1;
+  const int first = only_page.value_or(0);
+  const int last = only_page ? first : *std::max_element(layout.polygon_pages.begin(), layout.polygon_pages.end());
   out << "<g fill=\"none\" stroke=\"#999\" font-family=\"sans-serif\" font-size=\"13\">\n";
-  for(int page = 0; page < number; ++page)
+  for(int page = first; page <= last; ++page)
   {
-    const Eigen::Vector2d low = CGAL::Surface_mesh_cutting::internal::corner_of_page(page);
+    const Eigen::Vector2d low = corner_of_page(page);
     const Point corner = view({{low.x(), low.y() + 1}});
     out << "<rect x=\"" << Coarse{corner[0]} << "\" y=\"" << Coarse{corner[1]} << "\" width=\"" << Coarse{view.scale()}
         << "\" height=\"" << Coarse{view.scale()} << "\"/>\n";
@@ -191,9 +202,9 @@ void draw_legend(const Outcome& outcome, double top, double width, Number_writer
 
 } // namespace
 
-std::string to_svg(const Layout& layout, const Outcome& outcome, const std::string& style)
+std::string to_svg(const Layout& layout, const Outcome& outcome, const std::string& style, std::optional<int> only_page)
 {
-  const View view(layout);
+  const View view(layout, only_page);
   const Trade_off_plot plot(outcome);
   const double legend_width = 480;
   const double width = 2 * margin + (std::max)(view.width(), legend_width);
@@ -205,7 +216,7 @@ std::string to_svg(const Layout& layout, const Outcome& outcome, const std::stri
   if(style != "partners")
     draw_triangles(layout, view, out);
   draw_edges(layout, view, out);
-  draw_pages(layout, view, out);
+  draw_pages(layout, only_page, view, out);
   if(style == "partners")
     draw_partners(layout, view, out);
   else

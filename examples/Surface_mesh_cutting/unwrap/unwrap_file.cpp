@@ -32,12 +32,14 @@ CGAL::Surface_mesh_cutting::internal::Welding welding(const Polygon_soup& soup, 
 
 void unwrap_file(const Options& options, Output_places& places, Outcome& outcome)
 {
-  decide_places(options, places);
+  decide_places(options, 1, places);
   const Polygon_soup soup = read_mesh_file(options.input, wanted_attributes(options));
   outcome.warnings = soup.warnings;
   const Layout layout = unwrap_soup(soup, options, outcome);
   if(!outcome.has_result)
     return;
+  if(options.has_page_files && outcome.fills.size() > 1)
+    decide_places(options, int(outcome.fills.size()), places);
   for(const std::string& warning : warnings_about_outputs(options, places, layout))
     outcome.warnings.push_back(warning);
   write_outputs(options, places, layout, outcome);
