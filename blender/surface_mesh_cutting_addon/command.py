@@ -89,22 +89,35 @@ def _use_group(surface, settings, folder):
     return ["--edge-weights", "paint:paint.txt"]
 
 
+def _check(settings):
+    """Raises `Refusal` if settings exclude each other."""
+    is_light_map = settings.target == 'LIGHT_MAP'
+    if is_light_map and settings.stacks:
+        raise Refusal("Light falls on each part: a light map cannot stack equal parts")
+    if is_light_map and settings.scale != 'unit':
+        raise Refusal("A light map needs the scale Fill the Square")
+    if settings.scale == 'unit' and not is_light_map and 2 * settings.margin >= settings.texture_size:
+        raise Refusal("The margin must be less than half of the texture size")
+
+
 def prepare(surface, settings, threads, folder):
     """Writes the input files into `folder` and returns the arguments, whose file names are relative to it.
 
     `threads` is a number of threads, or 0 for as many as there are cores. Raises `Refusal`."""
-    if settings.scale == 'unit' and 2 * settings.margin >= settings.texture_size:
-        raise Refusal("The margin must be less than half of the texture size")
+    _check(settings)
     files.write_ply(folder / MESH, surface)
     arguments = [MESH, "-o", LAYOUT, "--json", REPORT, "--progress", "--effort", settings.effort,
                  "--uv-scale", settings.scale]
     if settings.scale == 'unit':
-        arguments += ["--margin", _number(settings.margin), "--texture-size", str(settings.texture_size)]
+        arguments += (["--lightmap", str(settings.texture_size)] if settings.target == 'LIGHT_MAP' else
+                      ["--margin", _number(settings.margin), "--texture-size", str(settings.texture_size)])
         if settings.turn != 'automatic':
             arguments += ["--rotate", settings.turn]
         if settings.limits_density:
             arguments += ["--texels-per-unit", _number(settings.density), "--udim"]
-        elif settings.limits_fill:
+        elif settings.pages > 1:
+            arguments += ["--pages", str(settings.pages), "--udim"]
+        if settings.limits_fill and not settings.limits_density:
             arguments += ["--min-fill", _number(settings.fill / 100)]
     if settings.stacks:
         arguments.append("--stack")

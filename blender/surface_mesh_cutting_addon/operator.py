@@ -29,7 +29,7 @@ def _read_surfaces(context, settings):
     parts = [part for part in parts if len(part.faces) > 0]
     if not parts:
         raise Refusal("No face is selected" if only_selected else "The selected objects have no faces")
-    if settings.target == 'NAMED' and not settings.uv_map:
+    if settings.target in write_back.NAMED_TARGETS and not settings.uv_map:
         raise Refusal("The UV map needs a name")
     for part in parts:
         if not write_back.has_place(part.object.data, settings):

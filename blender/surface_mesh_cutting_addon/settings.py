@@ -117,9 +117,11 @@ class UnwrapSettings:
 
     limits_density: BoolProperty(
         name="Set Texel Density", default=False,
-        description="Scale islands to a number of pixels per unit, on as many UDIM tiles as that takes, in place of filling one square")
+        description="Scale islands to a number of pixels per unit, on as many UDIM tiles as that takes, rather than fill tiles")
     density: FloatProperty(name="Pixels per Unit", default=256, min=1e-3, soft_max=4096, max=1e9, precision=1,
                            description="Pixels of the texture for a unit of the world")
+    pages: IntProperty(name="UDIM Tiles", default=1, min=1, soft_max=20, max=1000,
+                       description="How many tiles the islands fill, all at the same scale")
     stacks: BoolProperty(
         name="Stack Equal Parts", default=False,
         description="Parts that have the same shape, or are mirror images, share one place in the layout")
@@ -140,6 +142,7 @@ class UnwrapSettings:
         items=[('ACTIVE', "Active UV Map", "Replace the active UV map; one is added if there is none"),
                ('NEW', "New UV Map", "Add a UV map and make it the active one"),
                ('NAMED', "UV Map by Name", "Replace the UV map of the name below, or add it; other UV maps stay"),
+               ('LIGHT_MAP', "Light Map by Name", "The same for light: with the margin that mipmaps need, and nothing stacked"),
                ('SEAMS', "Seams Only", "Mark seams, and leave all UV maps as they are")])
     uv_map: StringProperty(name="Name", default="Lightmap", maxlen=63, description="The UV map to replace or to add")
     mark_seams: BoolProperty(name="Mark Seams", default=True, description="Mark the edges between islands as seams")
@@ -186,9 +189,14 @@ class UnwrapSettings:
         if context.mode == 'EDIT_MESH':
             column.prop(self, "only_selected")
         for name in ("is_shared", "scale", "texture_size", "margin", "turn", "may_overlap", "stacks"):
-            column.prop(self, name)
+            row = column.row()
+            row.active = name != "margin" or self.target != 'LIGHT_MAP'
+            row.prop(self, name)
         row = self._draw_limit(column, "Set Texel Density", "limits_density", "density")
         row.active = self.scale == 'unit'
+        row = column.row()
+        row.active = self.scale == 'unit' and not self.limits_density
+        row.prop(self, "pages")
         row = self._draw_limit(column, "Divide Long Islands", "limits_fill", "fill")
         row.active = self.scale == 'unit' and not self.limits_density
 
@@ -203,7 +211,7 @@ class UnwrapSettings:
 
     def _draw_result(self, column):
         column.prop(self, "target")
-        if self.target == 'NAMED':
+        if self.target in ('NAMED', 'LIGHT_MAP'):
             column.prop(self, "uv_map")
         sub = column.column()
         sub.active = self.target != 'SEAMS'

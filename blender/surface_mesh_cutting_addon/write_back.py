@@ -10,12 +10,14 @@ import numpy as np
 from .surface import values
 
 LAYER_NAME = "Shortest Cuts"
+NAMED_TARGETS = ('NAMED', 'LIGHT_MAP')
 MAXIMUM_LAYERS = 8  # a limit of Blender
 
 
 def _existing_layer(mesh, settings):
     """The UV map to replace, if it is there."""
-    return {'ACTIVE': mesh.uv_layers.active, 'NAMED': mesh.uv_layers.get(settings.uv_map)}.get(settings.target)
+    return (mesh.uv_layers.active if settings.target == 'ACTIVE' else
+            mesh.uv_layers.get(settings.uv_map) if settings.target in NAMED_TARGETS else None)
 
 
 def has_place(mesh, settings):
@@ -26,7 +28,7 @@ def has_place(mesh, settings):
 
 def _make_layer(mesh, settings):
     """The UV map to write to becomes the active one."""
-    name = settings.uv_map if settings.target == 'NAMED' else LAYER_NAME
+    name = settings.uv_map if settings.target in NAMED_TARGETS else LAYER_NAME
     mesh.uv_layers.active = _existing_layer(mesh, settings) or mesh.uv_layers.new(name=name)
 
 

@@ -184,7 +184,7 @@ class Reference:
             (folder / "mesh.obj").write_text("\n".join(lines) + "\n")
             if edges is not None:
                 (folder / "edges").write_text("\n\n" + " ".join(f"{a} {b}" for a, b in edges) + "\n")
-            margin = [] if "--margin" in arguments else ["--margin", "4"]  # the add-on's default
+            margin = [] if {"--margin", "--lightmap"} & set(arguments) else ["--margin", "4"]  # the add-on's default
             run = subprocess.run([PROGRAM, "mesh.obj", "-o", "out.obj", "--obj-cut", "cut.obj", "--json", "report.json",
                                   *margin, *arguments], cwd=folder, check=False, capture_output=True, timeout=TIME_LIMIT)
             assert run.returncode in (0, 7), run.stderr

@@ -90,6 +90,9 @@ class Results(Case):
                 ({"may_overlap": True}, ["--allow-overlap"]),
                 ({"scale": 'surface'}, ["--uv-scale", "surface"]),
                 ({"margin": 16, "texture_size": 256}, ["--margin", "16", "--texture-size", "256"]),
+                ({"pages": 3}, ["--pages", "3", "--udim"]),
+                ({"pages": 2, "limits_density": True, "density": 40, "texture_size": 256},  # on as many tiles as that takes
+                 ["--texels-per-unit", "40", "--udim", "--texture-size", "256"]),
                 ({"turn": 'quarter'}, ["--rotate", "quarter"]),
                 ({"turn": 'none'}, ["--rotate", "none"]),
                 ({"sharp": True}, ["--edge-weights", "crease"]),
@@ -210,6 +213,32 @@ class Results(Case):
         unwrap_anew(target='NAMED', uv_map="Light")
         self.assert_refused("8 UV maps", target='NAMED', uv_map="Another")
         self.assert_refused("needs a name", target='NAMED', uv_map="")
+
+    def test_tiles(self):
+        """Two spheres fill two tiles, each of them one."""
+        spheres = [add_sphere(), add_sphere("Other", location=(7, 0, 0))]
+        select(*spheres)
+        unwrap_anew(pages=2)
+        tiles = [{(int(u), int(v)) for u, v in uvs_of(each.data).tolist()} for each in spheres]
+        self.assertEqual(sorted(map(sorted, tiles)), [[(0, 0)], [(1, 0)]])
+
+    def test_light_map(self):
+        """In a UV map of its own, with the program's preset."""
+        sphere = add_sphere()
+        unwrap_anew()
+        first = uvs_of(sphere.data)
+        for texels in (128, 1024):
+            sphere.data.uv_layers.active_index = 0
+            unwrap_anew(target='LIGHT_MAP', texture_size=texels, margin=500)  # whose place the preset takes
+            self.assertEqual([layer.name for layer in sphere.data.uv_layers], ["Shortest Cuts", "Lightmap"])
+            self.assert_like(sphere, reference(sphere, "--lightmap", str(texels)))
+            uvs, margin = uvs_of(sphere.data).astype(np.float64), max(2, texels / 64) / texels
+            self.assertTrue((uvs >= margin - 1e-7).all() and (uvs <= 1 - margin + 1e-7).all())
+        sphere.data.uv_layers.active_index = 0
+        np.testing.assert_array_equal(uvs_of(sphere.data), first)
+        self.assert_refused("stack", target='LIGHT_MAP', stacks=True)
+        self.assert_refused("Fill the Square", target='LIGHT_MAP', scale='surface')
+        self.assert_refused("needs a name", target='LIGHT_MAP', uv_map="")
 
     def test_any_polygons(self):
         """An edge with three faces, two cones with a common tip, a face turned over, and a large polygon."""
