@@ -115,6 +115,20 @@ def glb(description, buffer):
             + text + struct.pack("<I4s", len(buffer), b"BIN\0") + buffer)
 
 
+def without_data(description):
+    """What is not about accessors, views and buffers, nor about the primitives that are unwrapped."""
+    result = json.loads(json.dumps({key: value for key, value in description.items()
+                                    if key not in ("accessors", "bufferViews", "buffers", "asset")}))
+    for image in result.get("images", []):
+        image.pop("bufferView", None)
+    for mesh in result.get("meshes", []):
+        for primitive in mesh["primitives"]:
+            if primitive.pop("mode", 4) >= 4:
+                for key in ("attributes", "indices", "targets"):
+                    primitive.pop(key, None)
+    return result
+
+
 class File:
     """A glTF file as a program wrote it, text or binary, that holds its buffer itself."""
 
@@ -159,6 +173,13 @@ class File:
         accessor = self.description["accessors"][index]
         form = f"<{NUMBERS[accessor['type']]}{CODES[accessor['componentType']]}"
         return [struct.unpack(form, element) for element in self.bytes_of(index)]
+
+    def other_bytes(self):
+        """Those of skins, animations and images, which no mesh refers to."""
+        samplers = [sampler for animation in self.description["animations"] for sampler in animation["samplers"]]
+        accessors = [skin["inverseBindMatrices"] for skin in self.description["skins"]]
+        accessors += [sampler[key] for sampler in samplers for key in ("input", "output")]
+        return [self.bytes_of(i) for i in accessors] + [self.view(image["bufferView"]) for image in self.description["images"]]
 
     def primitives(self):
         return [primitive for mesh in self.description["meshes"] for primitive in mesh["primitives"]]

@@ -117,7 +117,8 @@ class By_others(Case):
 
     @unittest.skipUnless(has_validator(), "gltf-validator is missing (scripts/install_dependencies.sh validator)")
     def test_validator(self):
-        for options in ((), ("--texture", "check.png"), ("--uv-scale", "surface")):
+        for options in ((), ("--texture", "check.png"), ("--uv-scale", "surface"), ("--lightmap", "256"),
+                        ("--lightmap", "256", "--texture", "check.png")):
             self.write_all(MIXED, *options)
             self.validate("out.glb")
         self.report("in.obj", "-o", "out.glb", "--tangents")
@@ -133,7 +134,8 @@ class By_others(Case):
         """What was valid stays so, and is read by assimp, whose attributes have to be in order."""
         for name, content in (("full.glb", full().glb()), ("full.gltf", full().gltf())):
             self.write(name, content)
-            for out, *options in (("edited.glb",), ("edited.gltf",), ("edited.glb", "--tangents")):
+            for out, *options in (("edited.glb",), ("edited.gltf",), ("edited.glb", "--tangents"), ("edited.glb", "--uv-set", "1"),
+                                  ("edited.gltf", "--uv-set", "4"), ("edited.glb", "--lightmap", "256", "--texture", "check.png")):
                 self.report(name, "-o", out, *options)
                 if has_validator():
                     self.validate(name)

@@ -147,16 +147,20 @@ private:
                                std::move(bytes), stride, gltf::array_buffer);
   }
 
+  // The format wants all sets before, too, and some readers want them in order.
   void put_uvs(const Split_vertices& vertices, std::size_t uses, Json& attributes)
   {
+    std::vector<std::string> missing;
+    for(int set = 0; set < m_layout.uv_set; ++set)
+      if(attributes.emplace(gltf::name_of_uvs(set), nullptr).second)
+        missing.push_back(gltf::name_of_uvs(set));
     put_attribute(m_uv_attribute, "VEC2", vertices.uvs.size(), uses, attributes, [&](std::size_t v)
     {
       const int uv = vertices.uvs[v];
       return uv < 0 ? std::array<float, 2>{{0, 0}} : gltf_uv(m_layout.written_uv(std::size_t(uv)));
     });
-    for(int set = 0; set < m_layout.uv_set; ++set) // the format wants all sets before
-      if(attributes.count(gltf::name_of_uvs(set)) == 0)
-        attributes[gltf::name_of_uvs(set)] = attributes[m_uv_attribute];
+    for(const std::string& name : missing)
+      attributes[name] = attributes[m_uv_attribute];
   }
 
   void put_tangents(const Split_vertices& vertices, const Elements& normals, std::size_t uses, Json& attributes)
