@@ -1,7 +1,9 @@
 # Finds CHOLMOD of SuiteSparse and defines the target SuiteSparse::CHOLMOD,
 # as the CMake files that SuiteSparse installs itself since version 7 do.
 
-find_package(CHOLMOD QUIET CONFIG)
+if(NOT TARGET SuiteSparse::CHOLMOD) # of a former call, which those files refuse where it is defined below
+  find_package(CHOLMOD QUIET CONFIG)
+endif()
 if(TARGET SuiteSparse::CHOLMOD)
   set(CHOLMOD_FOUND TRUE)
   return()

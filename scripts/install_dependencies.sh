@@ -19,7 +19,7 @@ for purpose in "$@"; do
                      python3-pip python3-setuptools python3-wheel python3-venv) ;;
     corpus) wanted+=(parallel python3) ;;
     evaluation) wanted+=(python3 gnuplot-nox) ;;
-    sanitize) wanted+=(clang libclang-rt-14-dev python3) ;;
+    sanitize) wanted+=(clang libclang-rt-dev python3) ;;
     doc)   wanted+=(doxygen libjs-mathjax python3) ;;
     figures) wanted+=(povray python3) ;;
     blender) wanted+=(blender xvfb xauth libgl1-mesa-dri python3) ;;

@@ -27,7 +27,7 @@ pack_program() {
   # The licenses of what the program holds.
   local package
   for package in libcgal-dev libeigen3-dev libboost-dev libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev \
-                 libgmp-dev libmpfr-dev libjs-three libstdc++-12-dev; do
+                 libgmp-dev libmpfr-dev libjs-three "libstdc++-$(g++ -dumpversion)-dev"; do
     if [ -e "/usr/share/doc/$package/copyright" ]; then
       mkdir -p "$folder/licenses"
       cp -L "/usr/share/doc/$package/copyright" "$folder/licenses/$package.txt"

@@ -130,7 +130,8 @@ def equator(mesh):
 # ---------------------------------------------------------------------------------------------------------- snapshots
 
 _ATTRIBUTES = {"FLOAT": ("value", 1), "INT": ("value", 1), "INT8": ("value", 1), "BOOLEAN": ("value", 1),
-               "FLOAT_VECTOR": ("vector", 3), "FLOAT2": ("vector", 2), "FLOAT_COLOR": ("color", 4), "BYTE_COLOR": ("color", 4)}
+               "FLOAT_VECTOR": ("vector", 3), "FLOAT2": ("vector", 2), "FLOAT_COLOR": ("color", 4), "BYTE_COLOR": ("color", 4),
+               "INT32_2D": ("value", 2), "INT16_2D": ("value", 2), "QUATERNION": ("value", 4), "FLOAT4X4": ("value", 16)}
 _ELEMENTS = {"vertices": {"co": 3, "hide": 1, "select": 1},
              "edges": {"vertices": 2, "use_edge_sharp": 1, "use_seam": 1, "crease": 1, "bevel_weight": 1, "hide": 1, "select": 1},
              "loops": {"vertex_index": 1, "edge_index": 1, "normal": 3},
