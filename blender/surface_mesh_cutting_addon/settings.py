@@ -134,6 +134,7 @@ class UnwrapSettings:
         name="Turn Islands", default='automatic', description="How islands may be turned to fit into the square",
         items=[('automatic', "Aligned", "Straight with the texture, unless that costs much room"),
                ('quarter', "Straight", "Always straight with the texture"),
+               ('upright', "Upright", "Straight, with vertical axes of symmetric islands"),
                ('any', "Freely", "By any angle, so that islands are as large as possible"),
                ('none', "Not at All", "Islands keep the direction in which they were flattened")])
 

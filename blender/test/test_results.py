@@ -95,6 +95,7 @@ class Results(Case):
                  ["--texels-per-unit", "40", "--udim", "--texture-size", "256"]),
                 ({"turn": 'quarter'}, ["--rotate", "quarter"]),
                 ({"turn": 'none'}, ["--rotate", "none"]),
+                ({"turn": 'upright', "symmetry": 'x'}, ["--rotate", "upright", "--symmetry", "x"]),
                 ({"sharp": True}, ["--edge-weights", "crease"]),
                 ({"hidden": True}, ["--edge-weights", "visibility"]),
                 ({"sharp": True, "straight": True}, ["--edge-weights", "crease", "--edge-weights", "straight"]),

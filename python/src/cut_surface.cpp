@@ -67,7 +67,7 @@ void write_map(const Soup_adapter& adapter, const Mesh_result& found, bool do_bi
     corner_uv.push_back(uv[found.chart.source(h)]);
   const auto wall_start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
-  const SMC::internal::Indexed_packing packing = pack(found.chart, corner_uv, *options, do_bijective, monitor);
+  const SMC::internal::Indexed_packing packing = pack(adapter, found.chart, corner_uv, *options, do_bijective, monitor);
   result.packing_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   result.packing_cpu_seconds = double(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   packing_status = adapter.translate(packing.status);

@@ -58,6 +58,7 @@ struct Packing_options
   int texture_size = 1024;
   SMC::Effort effort = SMC::Effort::DEFAULT;
   SMC::Chart_rotation rotation = SMC::Chart_rotation::AUTOMATIC;
+  SMC::Symmetry symmetry = SMC::Symmetry::NONE;
   double texels_per_unit = 0; // 0 for as many as fit
   int pages = 0;              // 0 for one, or as many as that number of texels needs
 };

@@ -74,6 +74,7 @@ Packing_options read_packing_options(const Call& call)
   read(call, "texture_size", options.texture_size);
   options.effort = SMC::internal::effort_of(read_name(call, "effort"));
   options.rotation = SMC::internal::rotation_of(read_name(call, "rotate"));
+  options.symmetry = SMC::internal::symmetry_of(read_name(call, "symmetry"));
   read(call, "texels_per_unit", options.texels_per_unit);
   read(call, "pages", options.pages);
   return options;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/read_packing_parameters.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/mirrored_vertices.h>
 
 #include <boost/range/adaptor/transformed.hpp>
 #include <boost/range/irange.hpp>
@@ -61,8 +62,9 @@ std::vector<double> uvs_of_corners(const Soup_adapter& adapter, const SMC::inter
 
 } // namespace
 
-SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
-                                    const Packing_options& options, bool do_bijective, Run_monitor& monitor)
+SMC::internal::Indexed_packing pack(const Soup_adapter& adapter, const SMC::internal::Corner_table& chart,
+                                    const std::vector<Eigen::Vector2d>& corner_uv, const Packing_options& options,
+                                    bool do_bijective, Run_monitor& monitor)
 {
   const SMC::internal::Packing_parameters parameters{{options.margin, options.texture_size}, do_bijective, options.effort,
                                                    options.rotation,
@@ -74,9 +76,10 @@ SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, co
   {
     SMC::internal::Run_control control([&] { return monitor.go_further(); },
                                        [&](SMC::Phase phase, double fraction) { monitor.progress(phase, fraction); });
+    constexpr SMC::internal::Execution execution = CGAL::internal::Graph_kernel::execution_of<Concurrency_tag>();
     result = SMC::internal::pack_indexed_charts(
-      chart, corner_uv, parameters, [](const Eigen::Vector2d& uv) { return uv; },
-      CGAL::internal::Graph_kernel::execution_of<Concurrency_tag>(), control);
+      chart, corner_uv, SMC::internal::mirrored_vertices(adapter, chart, options.symmetry, execution), parameters,
+      [](const Eigen::Vector2d& uv) { return uv; }, execution, control);
   }
   return result;
 }
@@ -92,7 +95,7 @@ Packed_surface pack_surface(const Surface_arguments& arguments, const Numbers& c
     if(mapped.status)
     {
       const SMC::internal::Corner_table chart = mapped.chart();
-      const SMC::internal::Indexed_packing packing = pack(chart, mapped.uv, options, do_bijective, monitor);
+      const SMC::internal::Indexed_packing packing = pack(mapped.adapter, chart, mapped.uv, options, do_bijective, monitor);
       mapped.status.finding = packing.status.finding;
       result.has_result = packing.has_result;
       result.scale = packing.scale;

@@ -24,8 +24,9 @@
 namespace binding {
 
 // Moves the charts of a surface, whose halfedges have these UVs at their sources, into the unit square.
-SMC::internal::Indexed_packing pack(const SMC::internal::Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
-                                    const Packing_options& options, bool do_bijective, Run_monitor& monitor);
+SMC::internal::Indexed_packing pack(const Soup_adapter& adapter, const SMC::internal::Corner_table& chart,
+                                    const std::vector<Eigen::Vector2d>& corner_uv, const Packing_options& options,
+                                    bool do_bijective, Run_monitor& monitor);
 
 struct Packed_surface
 {

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, Optional, cast
 
 from . import _arrays, _extension
 from .errors import error_of, to_finding
-from .options import EFFORTS, INT_MAX, SurfaceOptions, atlas, choice, flag, integer, read, real, rotation, takes
+from .options import EFFORTS, INT_MAX, SYMMETRIES, SurfaceOptions, atlas, choice, flag, integer, read, real, rotation, takes
 from .results import Certificate, PackingResult, make
 
 if TYPE_CHECKING:
@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offsets: Optional[ArrayLike] = None, *,
                 margin: float = 2, texture_size: int = 1024, bijective: bool = True,
                 effort: Literal["fast", "default", "best"] = "default",
-                rotate: Optional[Literal["any", "quarter", "none"]] = None,
+                rotate: Optional[Literal["any", "quarter", "none", "upright"]] = None,
+                symmetry: Literal["off", "auto", "x", "y", "z"] = "off",
                 texels_per_unit: Optional[float] = None, pages: Optional[int] = None,
                 **options: Unpack[SurfaceOptions]) -> PackingResult:
     """Move charts into the unit square: turn and translate each one, and scale all by the same factor.
@@ -36,9 +37,12 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
         The UV of each corner.
     margin, texture_size
         As for `unwrap`.
-    rotate : {"any", "quarter", "none"}, optional
-        How charts may be turned: by any angle, by quarter turns from where they are aligned with the axes, or not at all. By
-        default, aligned charts are taken where that costs at most 3 % of what is filled.
+    rotate : {"any", "quarter", "none", "upright"}, optional
+        How charts may be turned: by any angle, by quarter turns from where they are aligned with the axes, or not at all;
+        "upright": such that the axes of symmetric charts are vertical. By default, aligned charts are taken where that costs at
+        most 3 % of what is filled.
+    symmetry : {"off", "auto", "x", "y", "z"}
+        As for `unwrap`: a plane that mirrors the surface and its seams. Charts that are mirrored then lie side by side.
     texels_per_unit : float, optional
         The number of texels of a unit of length of the given UVs, on as many pages as that takes. By default, as many as fit.
     pages : int, optional
@@ -65,7 +69,8 @@ def pack_charts(points: ArrayLike, faces: ArrayLike, corner_uv: ArrayLike, offse
     call["corner_uv"] = _arrays.uvs_of_corners(corner_uv, shape)
     call.update(read(pack_charts, SurfaceOptions, options), bijective=flag("bijective", bijective),
                 margin=real("margin", margin), texture_size=integer(1, INT_MAX)("texture_size", texture_size),
-                effort=choice(*EFFORTS)("effort", effort), **rotation(rotate), **atlas(texels_per_unit, pages))
+                effort=choice(*EFFORTS)("effort", effort), symmetry=choice(*SYMMETRIES)("symmetry", symmetry),
+                **rotation(rotate), **atlas(texels_per_unit, pages))
     found = _extension.pack_charts(call)
     if found["has_result"]:
         found["corner_uv"] = found["corner_uv"].reshape(*shape, 2)

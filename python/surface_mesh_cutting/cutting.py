@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @takes(CuttingOptions)
 def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = None, *, bijective: bool = True,
            uv_scale: Literal["unit", "surface"] = "unit", margin: float = 2, texture_size: int = 1024,
-           rotate: Optional[Literal["any", "quarter", "none"]] = None,
+           rotate: Optional[Literal["any", "quarter", "none", "upright"]] = None,
            texels_per_unit: Optional[float] = None, pages: Optional[int] = None,
            **options: Unpack[CuttingOptions]) -> UnwrapResult:
     """Cut a surface and flatten it, without flips and with low isometric distortion.
@@ -48,9 +48,10 @@ def unwrap(points: ArrayLike, faces: ArrayLike, offsets: Optional[ArrayLike] = N
         The least distance of charts from each other and from the border of the square, in texels.
     texture_size : int
         The number of texels along a side of the square.
-    rotate : {"any", "quarter", "none"}, optional
+    rotate : {"any", "quarter", "none", "upright"}, optional
         How charts may be turned in the square: by any angle, by quarter turns from where they are aligned with the axes, or not
-        at all from there. By default, aligned charts are taken where that costs at most 3 % of what is filled.
+        at all from there; "upright": such that the axes of symmetric charts are vertical. By default, aligned charts are taken
+        where that costs at most 3 % of what is filled.
     texels_per_unit : float, optional
         The number of texels of a unit of length, on as many pages as that takes. By default, as many as fit.
     pages : int, optional

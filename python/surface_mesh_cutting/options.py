@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 EFFORTS = ("fast", "default", "best")
-ROTATIONS = ("any", "quarter", "none")
+ROTATIONS = ("any", "quarter", "none", "upright")
 SYMMETRIES = ("off", "auto", "x", "y", "z")
 CONNECTIONS = ("best", "exact", "greedy", "shortest_path_heuristic", "metric_closure")
 
@@ -139,7 +139,7 @@ class CuttingOptions(ConnectionOptions, total=False):
         From 0 to 4294967295, for drawing the start vertex. Default: 0.
     symmetry : {"off", "auto", "x", "y", "z"}
         The plane at which the cut is mirrored, if the surface is: the best one, or one across an axis, wherever it lies. If
-        there is none, or no such cut, a warning says so. Default: ``"off"``.
+        there is none, or no such cut, a warning says so. Mirrored charts lie side by side in the square. Default: ``"off"``.
     seam_smoothness : float
         Percent, up to 100, by which parts of the cut of a map may get longer to be straighter. Default: 1, and 0 with
         ``effort="fast"``, ``connection="exact"`` or ``faithful=True``.

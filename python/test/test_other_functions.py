@@ -38,6 +38,19 @@ def test_connect_points():
         smc.connect_points(points, faces, [[1], [2]])
 
 
+def test_symmetric_layout():
+    points = np.array([[1, 0, 0], [3, 0, 0], [2, 2, 0], [-1, 0, 0], [-3, 0, 0], [-2, 2, 0]], dtype=float)
+    points[2::3, 1] += [0.5, 0.5]
+    faces = np.array([[0, 1, 2], [4, 3, 5]])
+    turns = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in (1, 3)]
+    uv = np.array([points[face, :2] @ turn for face, turn in zip(faces, turns)])
+    packed = smc.pack_charts(points, faces, uv, symmetry="x", rotate="upright").corner_uv
+    right, left = packed[0], packed[1][[1, 0, 2]]
+    assert np.ptp(right[:, 0] + left[:, 0]) < 1e-12 and np.abs(right[:, 1] - left[:, 1]).max() < 1e-12
+    with pytest.raises(ValueError, match="symmetry"):
+        smc.pack_charts(points, faces, uv, symmetry="w")
+
+
 def test_cut_handles():
     points, faces = meshes.torus_of_quads(24, 8)
     result = smc.cut_handles(points, faces)

@@ -214,6 +214,11 @@ void test_overlaps()
   CHECK(do_overlap(bar, here, bar, upright)); // though none has a corner in the other one
   CHECK(!do_overlap(bar, here, bar, far));
   CHECK(do_overlap(square, here, rectangle(0.1, 0.1), here) && do_overlap(rectangle(0.1, 0.1), here, square, here));
+  std::vector<Outline_segment> two = segments_of({{5, 5}, {6, 5}, {6, 6}}); // of which one lies in the other chart
+  for(const Outline_segment& s : segments_of({{-0.1, 0}, {0.1, 0}, {0, 0.1}}))
+    two.push_back(s);
+  CHECK(do_overlap(square, here, Rigid_chart(two, 1), here) && do_overlap(Rigid_chart(two, 1), here, square, here));
+  CHECK(!do_overlap(square, here, Rigid_chart(two, 1), far));
 }
 
 // Blocks cover all samples.

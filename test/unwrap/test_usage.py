@@ -56,7 +56,7 @@ class Usage(Case):
             self.assertIn(f"no option {wrong.split('=')[0]}; did you mean {meant}?", message)
         self.assertNotIn("did you mean", self.assert_usage("sphere.off", "--xyzzy")["message"])
         for option, wrong, meant, words in (("--effort", "fsat", "fast", "fast, default, best"),
-                                            ("--rotate", "quarters", "quarter", "any, quarter, none"),
+                                            ("--rotate", "quarters", "quarter", "any, quarter, none, upright"),
                                             ("--uv-scale", "units", "unit", "unit, surface")):
             message = self.assert_usage("sphere.off", option, wrong)["message"]
             self.assertIn(f"{option}: '{wrong}' is none of {words}; did you mean {meant}?", message)

@@ -99,6 +99,32 @@ class Figures:
             objects += draw_layout(surface, Cell(600 * i + 300, 0, 300, 300))
         return 1200, 300, objects
 
+    def symmetric_layout(self):
+        """a symmetric chart, mirrored charts side by side, and one half on the other"""
+        points, faces = read_off(self.mesh("couplingdown"))
+        plane = self.work / "plane.selection.txt"
+        report = self.work / "symmetry.json"
+        mirror = ["--symmetry", "auto", "--rotate", "upright"]
+        surface = self.unwrap("couplingdown", *mirror, "--json", report)
+        normal, offset = (json.loads(report.read_text())["symmetry"][key] for key in ("normal", "offset"))
+        is_in_plane = [abs(sum(n * x for n, x in zip(normal, p)) - offset) < 1e-6 for p in points]
+        write_selection(plane, sorted({(min(a, b), max(a, b)) for f in faces for a, b in zip(f, f[1:] + f[:1])
+                                       if is_in_plane[a] and is_in_plane[b]}))
+        objects = draw_surface(surface, Cell(0, 0, 300, 300), COUPLING, points=False)
+        for i, options in enumerate(([], ["--must-cut", plane], ["--stack"])):
+            page = self.unwrap("couplingdown", *mirror, *options, "--json", report, scale="unit")
+            side = 1 / json.loads(report.read_text())["uv_scale"]
+            page.uvs = [(u * side, v * side) for u, v in page.uvs]
+            objects += draw_pages(page, Cell(300 * (i + 1), 0, 300, 300), 1, side)
+        return 1200, 300, objects
+
+    def straight_seams(self):
+        objects = []
+        for i, smoothness in enumerate(("0", "1")):
+            surface = self.unwrap("camel", "--seam-smoothness", smoothness)
+            objects += draw_surface(surface, Cell(500 * i, 0, 500, 480), CAMEL, points=False)
+        return 1000, 480, objects
+
     def connection(self):
         objects = []
         for i, method in enumerate(("mst", "greedy", "best")):
@@ -183,7 +209,7 @@ class Figures:
 
 
 ALL = ["introduction", "overview", "method", "distortion_bound", "face_bound", "connection", "constraints", "weights",
-       "topology", "bijective", "interpretation", "atlas", "symmetry"]
+       "topology", "bijective", "interpretation", "atlas", "symmetry", "symmetric_layout", "straight_seams"]
 
 
 def main():

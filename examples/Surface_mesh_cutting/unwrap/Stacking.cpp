@@ -1,79 +1,145 @@
 #include "Stacking.h"
 
 #include "halfedge_arrays.h"
+#include "make_mesh.h"
+#include "outcome.h"
+
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace {
 
+using CGAL::Surface_mesh_cutting::internal::Halfedge_arrays;
+using CGAL::Surface_mesh_cutting::internal::Soup_surface;
+
 Halfedge halfedge_of(int h) { return Halfedge(Mesh::size_type(h)); }
 
-// Copies the elements for which `is_kept`, in their order, and tells the numbers of the halfedges.
-template <typename Is_kept>
-void copy_part(const Surface& surface, Is_kept is_kept, Surface& part, std::vector<Halfedge>& halfedges)
+// The sides of the divided edges are borders.
+Halfedge_arrays divided_arrays(const Mesh& mesh, const std::vector<char>& is_divided)
 {
-  const Mesh& mesh = surface.mesh;
-  std::vector<Vertex> vertices(mesh.num_vertices());
-  std::vector<Face> faces(mesh.num_faces());
-  halfedges.assign(mesh.num_halfedges(), Mesh::null_halfedge());
-  Mesh::size_type number_of_halfedges = 0;
-  for(const Vertex v : mesh.vertices())
-    if(is_kept(mesh.halfedge(v)))
-    {
-      vertices[v] = Vertex(Mesh::size_type(part.vertices.size()));
-      part.vertices.push_back(surface.vertices[v]);
-    }
-  for(const Face f : mesh.faces())
-    if(is_kept(mesh.halfedge(f)))
-    {
-      faces[f] = Face(Mesh::size_type(part.polygons.size()));
-      part.polygons.push_back(surface.polygons[f]);
-    }
+  Halfedge_arrays arrays = halfedge_arrays(mesh);
   for(const Halfedge h : mesh.halfedges())
-    if(is_kept(h))
-    {
-      halfedges[h] = Halfedge(number_of_halfedges++);
-      part.corners.push_back(surface.corners[h]);
-    }
-  part.mesh.resize(Mesh::size_type(part.vertices.size()), number_of_halfedges / 2, Mesh::size_type(part.polygons.size()));
-  for(const Halfedge h : mesh.halfedges())
-    if(is_kept(h))
-    {
-      part.mesh.set_target(halfedges[h], vertices[mesh.target(h)]);
-      part.mesh.set_next(halfedges[h], halfedges[mesh.next(h)]);
-      if(!mesh.is_border(h))
-        part.mesh.set_face(halfedges[h], faces[mesh.face(h)]);
-    }
-  for(const Vertex v : mesh.vertices())
-    if(is_kept(mesh.halfedge(v)))
-    {
-      part.mesh.point(vertices[v]) = mesh.point(v);
-      part.mesh.set_halfedge(vertices[v], halfedges[mesh.halfedge(v)]);
-    }
-  for(const Face f : mesh.faces())
-    if(is_kept(mesh.halfedge(f)))
-      part.mesh.set_halfedge(faces[f], halfedges[mesh.halfedge(f)]);
+    if(!is_divided.empty() && is_divided[std::size_t(mesh.edge(h))] != 0)
+      arrays.opposite[h] = -1;
+  return arrays;
 }
+
+// The side from which the mesh of a soup begins a face.
+Halfedge first_side(const Mesh& mesh, Face f)
+{
+  const Halfedge h = mesh.halfedge(f);
+  return mesh.next(mesh.next(mesh.next(h))) == h ? mesh.next(h) : h;
+}
+
+// Copies the faces for which `is_kept`, in their order, and tells the numbers of their halfedges. Vertices at which they touch
+// themselves, once they are divided, are copied as often.
+class Part_copier
+{
+public:
+  Part_copier(const Surface& surface, const Halfedge_arrays& arrays, const std::vector<char>& is_kept)
+    : m_surface(surface), m_arrays(arrays), m_is_kept(is_kept), m_side(arrays.next.size(), -1), m_vertex(arrays.next.size(), -1)
+  {}
+
+  void copy(Surface& part, std::vector<Halfedge>& halfedges)
+  {
+    add_vertices(part);
+    add_polygons(part);
+    const std::vector<Halfedge> of_sides = number_halfedges(m_copy);
+    part.mesh = make_mesh(m_copy, of_sides);
+    part.corners.assign(part.mesh.num_halfedges(), -1);
+    halfedges.assign(m_side.size(), Mesh::null_halfedge());
+    for(std::size_t h = 0; h < m_side.size(); ++h)
+      if(m_side[h] >= 0)
+      {
+        halfedges[h] = of_sides[std::size_t(m_side[h])];
+        part.corners[halfedges[h]] = m_surface.corners[h];
+      }
+  }
+
+private:
+  // One for all kept faces around a vertex that are connected.
+  void add_vertices(Surface& part)
+  {
+    const Mesh& mesh = m_surface.mesh;
+    for(const Vertex v : mesh.vertices())
+    {
+      if(mesh.halfedge(v) == Mesh::null_halfedge())
+        continue;
+      for(const Halfedge to_vertex : CGAL::halfedges_around_target(mesh.halfedge(v), mesh))
+      {
+        if(!m_is_kept[to_vertex] || m_vertex[to_vertex] >= 0)
+          continue;
+        std::vector<int> stack(1, int(to_vertex));
+        m_vertex[to_vertex] = int(m_copy.points.size());
+        while(!stack.empty())
+        {
+          const int h = stack.back(), out = m_arrays.opposite[m_arrays.next[h]], back = m_arrays.opposite[h];
+          stack.pop_back();
+          for(const int g : {out, back < 0 ? -1 : m_arrays.previous[back]})
+            if(g >= 0 && m_vertex[g] < 0)
+            {
+              m_vertex[g] = m_vertex[h];
+              stack.push_back(g);
+            }
+        }
+        part.vertices.push_back(m_surface.vertices[v]);
+        m_copy.points.push_back(m_arrays.points[v]);
+      }
+    }
+  }
+
+  void add_polygons(Surface& part)
+  {
+    const Mesh& mesh = m_surface.mesh;
+    for(const Face f : mesh.faces())
+    {
+      if(!m_is_kept[mesh.halfedge(f)])
+        continue;
+      const Halfedge first = first_side(mesh, f);
+      Halfedge h = first;
+      do
+      {
+        m_side[h] = m_copy.polygons.number_of_corners();
+        m_copy.polygons.vertices.push_back(m_vertex[mesh.prev(h)]);
+      }
+      while((h = mesh.next(h)) != first);
+      m_copy.polygons.close();
+      part.polygons.push_back(m_surface.polygons[f]);
+    }
+    m_copy.opposites.assign(m_copy.polygons.vertices.size(), -1);
+    for(std::size_t h = 0; h < m_side.size(); ++h)
+      if(m_side[h] >= 0 && m_arrays.opposite[h] >= 0)
+        m_copy.opposites[std::size_t(m_side[h])] = m_side[m_arrays.opposite[h]];
+  }
+
+  const Surface& m_surface;
+  const Halfedge_arrays& m_arrays;
+  const std::vector<char>& m_is_kept; // per halfedge
+  std::vector<int> m_side, m_vertex;  // of the copy: per halfedge, and per halfedge that leads there
+  Soup_surface m_copy;
+};
 
 } // namespace
 
-Stacking::Stacking(const Surface& surface, double tolerance)
-  : m_surface(surface), m_arrays(halfedge_arrays(surface.mesh)), m_components(m_arrays, tolerance)
+Stacking::Stacking(const Surface& surface, double tolerance, std::vector<char> is_divided)
+  : m_surface(surface), m_is_divided(std::move(is_divided)), m_arrays(divided_arrays(surface.mesh, m_is_divided)),
+    m_components(m_arrays, tolerance)
 {
-  const Mesh& mesh = surface.mesh;
-  std::vector<char> is_original(mesh.num_halfedges(), 0);
+  std::vector<char> is_original(surface.mesh.num_halfedges(), 0);
   for(int i = 0; i < m_components.number(); ++i)
   {
     if(m_components.original(i) != i)
       ++m_copies;
     else
       for(const int h : m_components.halfedges(i))
-        is_original[std::size_t(h)] = is_original[std::size_t(mesh.opposite(halfedge_of(h)))] = 1;
+        is_original[std::size_t(h)] = 1;
   }
-  copy_part(surface, [&](Halfedge h)
-            { return h != Mesh::null_halfedge() && is_original[std::size_t(h)] != 0; }, m_originals, m_halfedges);
+  Part_copier(surface, m_arrays, is_original).copy(m_originals, m_halfedges);
 }
 
 Halfedge Stacking::edge_of_original(Halfedge h) const
@@ -102,6 +168,8 @@ Constraints Stacking::constraints_of_originals(const Constraints& of_all)
     if(all.is_border(h))
       continue;
     const Edge from = all.edge(h), to = mesh.edge(edge_of_original(h));
+    if(is_divided(from) && (of_all.must_not_be_cut[from] || (of_all.weights && std::isinf((*of_all.weights)[from]))))
+      throw Failure(Exit_code::UNSUPPORTED, "--stack: the plane of symmetry runs along edges that are not to be cut");
     result.must_be_cut[to] = result.must_be_cut[to] || of_all.must_be_cut[from];
     result.must_not_be_cut[to] = result.must_not_be_cut[to] || of_all.must_not_be_cut[from];
     result.is_initially_cut[to] = result.is_initially_cut[to] || of_all.is_initially_cut[from];
@@ -118,7 +186,10 @@ void Stacking::copy_cut(Cut_map from, Cut_map to) const
   const Mesh& mesh = m_surface.mesh;
   for(const Halfedge h : mesh.halfedges())
     if(!mesh.is_border(h))
-      to[mesh.edge(h)] = from[m_originals.mesh.edge(edge_of_original(h))];
+    {
+      const Edge e = mesh.edge(h);
+      to[e] = is_divided(e) || from[m_originals.mesh.edge(edge_of_original(h))];
+    }
 }
 
 void Stacking::copy_uvs(UV_map from, UV_map to) const

@@ -1,4 +1,4 @@
-// Parts of a surface that are congruent, or mirror images: cut once, and laid on one place.
+// Parts of a surface that are congruent, or mirror images: cut once, and laid on one place. Halves of a symmetric part are such.
 
 #ifndef UNWRAP_STACKING_H
 #define UNWRAP_STACKING_H
@@ -9,13 +9,15 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Congruent_components.h>
 
+#include <cstddef>
 #include <vector>
 
 class Stacking
 {
 public:
-  // `tolerance`: of the diagonal of a part. The surface is kept by reference.
-  Stacking(const Surface& surface, double tolerance);
+  // `tolerance`: of the diagonal of a part. `is_divided`: marks edges at which components are divided in addition; empty if
+  // there are none. The surface is kept by reference.
+  Stacking(const Surface& surface, double tolerance, std::vector<char> is_divided);
   Stacking(const Stacking&) = delete;
   Stacking& operator=(const Stacking&) = delete;
 
@@ -24,7 +26,8 @@ public:
   // One of each, without the corners of the soup.
   Surface& originals() { return m_originals; }
 
-  // The constraints of an original are those of itself and its copies, and its cost is the largest.
+  // The constraints of an original are those of itself and its copies, and its cost is the largest. Throws a `Failure` where edges
+  // that are not to be cut are divided.
   Constraints constraints_of_originals(const Constraints& of_all);
 
   void copy_cut(Cut_map from, Cut_map to) const;
@@ -33,14 +36,17 @@ public:
   // Whether some copies are mirrored: their triangles are clockwise on purpose.
   bool has_mirrored() const;
 
-  // Lists of components that are congruent. They are counted in the order of their first edges.
+  // Lists of components, or of what is left of them where they are divided, that are congruent. They are counted in the order of
+  // their first edges.
   std::vector<std::vector<int> > stacks() const;
 
 private:
+  bool is_divided(Edge e) const { return !m_is_divided.empty() && m_is_divided[std::size_t(e)] != 0; }
   Halfedge edge_of_original(Halfedge h) const;
   Halfedge corner_of_original(Halfedge h) const;
 
   const Surface& m_surface;
+  const std::vector<char> m_is_divided;
   const CGAL::Surface_mesh_cutting::internal::Halfedge_arrays m_arrays;
   const CGAL::Surface_mesh_cutting::internal::Congruent_components m_components;
   Surface m_originals;

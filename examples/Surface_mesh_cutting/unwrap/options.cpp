@@ -46,8 +46,9 @@ void add_layout_options(CLI::App& app, Options& options, const std::string& grou
              "Texture coordinates in the unit square, or at the scale of\nthe surface with charts side by side",
              {"unit", "surface"})->group(group);
   add_choice(app, "--rotate", options.rotate,
-             "How charts may be turned: anyhow, by quarter turns from\nwhere they are aligned with the axes, or only aligned",
-             {"any", "quarter", "none"})
+             "How charts may be turned: anyhow, by quarter turns from\nwhere they are aligned with the axes, or only aligned;\n"
+             "upright: with vertical axes of symmetry",
+             {"any", "quarter", "none", "upright"})
     ->default_str("quarter if that fills at least 97 % of any")->group(group);
   add_number<double>(app, "--margin", options.margin, "Texels between charts and to the border of the square", 0, largest_margin)
     ->type_name("T")->default_str("2")->group(group);

@@ -20,7 +20,7 @@ struct Options
   std::string up;                       // x, y, z; empty: z for formats of printing, else y
   bool has_tangents = false;
   std::string uv_scale = "unit";        // unit, surface
-  std::string rotate;                   // any, quarter, none; empty: quarter where that is cheap, else any
+  std::string rotate;                   // any, quarter, none, upright; empty: quarter where that is cheap, else any
   double margin = 2;                    // texels
   int texture_size = 1024;
   std::optional<double> texels_per_unit; // none: as many as fit

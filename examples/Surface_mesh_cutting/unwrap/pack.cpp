@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/packing/rotation_of.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/effort_of.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/symmetry_of.h>
 #include <CGAL/Surface_mesh_cutting/pack_charts.h>
 
 #include <chrono>
@@ -46,6 +47,7 @@ SMC::Packing_result<Mesh> packed(const Mesh& mesh, Cut_map is_cut, UVs uvs, doub
       .texels_per_unit(options.texels_per_unit.value_or(0) / given_scale)
       .number_of_pages(options.most_pages.value_or(options.texels_per_unit ? 0 : 1))
       .chart_rotation(SMC::internal::rotation_of(options.rotate))
+      .symmetry(SMC::internal::symmetry_of(options.symmetry))
       .do_bijective(do_bijective)
       .allow_flips(options.is_pack_only)
       .effort(SMC::internal::effort_of(options.effort))

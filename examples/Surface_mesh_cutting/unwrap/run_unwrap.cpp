@@ -3,6 +3,7 @@
 #include "Constraints.h"
 #include "Progress_visitor.h"
 #include "Stacking.h"
+#include "divide_at_plane.h"
 #include "divide_long_charts.h"
 #include "given_layout.h"
 #include "make_layout.h"
@@ -150,7 +151,8 @@ void tell(const Result& result, const Surface& surface, const Polygon_soup& soup
   outcome.components = result.components;
   outcome.genus = result.genus;
   outcome.borders = result.borders;
-  outcome.symmetry = result.symmetry;
+  if(result.symmetry)
+    outcome.symmetry = result.symmetry;
   if(!outcome.has_result)
   {
     if(outcome.exit_code == Exit_code::STOPPED)
@@ -304,6 +306,21 @@ Result find_layout(const Polygon_soup& soup, Surface& surface, Stacking* stackin
   return result;
 }
 
+// Halves that are mirror images are stacked, too: nothing more has to be mirrored then.
+void stack(const Surface& surface, Options& options, std::optional<Stacking>& stacking, Outcome& outcome)
+{
+  const std::optional<Division> division = divide_at_plane(surface.mesh, SMC::internal::symmetry_of(options.symmetry));
+  stacking.emplace(surface, options.stack_tolerance, division ? division->is_divided : std::vector<char>());
+  outcome.stacked = stacking->stacks();
+  if(!stacking->has_copies())
+    stacking.reset();
+  else if(division)
+  {
+    options.symmetry = "off";
+    outcome.symmetry = division->plane;
+  }
+}
+
 void add_feature_points(const Result& result, const Surface& surface, Layout& layout)
 {
   std::vector<int>& features = layout.feature_points;
@@ -315,16 +332,15 @@ void add_feature_points(const Result& result, const Surface& surface, Layout& la
 
 } // namespace
 
-Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& options, Outcome& outcome)
+Layout run_unwrap(const Polygon_soup& soup, Surface& surface, const Options& given_options, Outcome& outcome)
 {
+  Options options = given_options;
   using namespace CGAL::Surface_mesh_parameterization::internal;
   constexpr Execution execution = execution_of<CGAL::Parallel_if_available_tag>();
   end_if_stop_is_requested();
   std::optional<Stacking> stacking;
   if(options.is_stacked)
-    outcome.stacked = stacking.emplace(surface, options.stack_tolerance).stacks();
-  if(stacking && !stacking->has_copies())
-    stacking.reset();
+    stack(surface, options, stacking, outcome);
   Work work(stacking ? stacking->originals() : surface);
   const Result result = find_layout(soup, surface, stacking ? &*stacking : nullptr, options, work, outcome);
   if(!outcome.has_result)

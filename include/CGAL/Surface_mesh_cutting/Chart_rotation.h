@@ -22,7 +22,8 @@ namespace Surface_mesh_cutting {
 /// how `pack_charts()` may turn charts; the value of the named parameter `chart_rotation`.
 ///
 /// A chart is aligned with the axes if its border runs along them as far as the border has such directions, and otherwise if
-/// the smallest rectangle around the chart does.
+/// the smallest rectangle around the chart does. A chart with an axis of symmetry, or a pair of mirrored charts, is aligned
+/// if the axis is vertical or horizontal.
 enum class Chart_rotation
 {
   AUTOMATIC, ///< tries `QUARTER` and `ANY`, and takes `QUARTER` if the charts then fill at least 97 % of the area that they
@@ -30,7 +31,9 @@ enum class Chart_rotation
              ///< than 100 charts, it compares packings on a grid
   ANY,       ///< turns charts by any angle
   QUARTER,   ///< aligns charts with the axes, and then turns them by quarter turns only
-  NONE       ///< keeps the directions of the input
+  NONE,      ///< keeps the directions of the input
+  UPRIGHT    ///< with the named parameter `symmetry`, makes the axes of symmetric charts and of pairs of mirrored ones vertical;
+             ///< without it, or such charts, this is `QUARTER`
 };
 
 } // namespace Surface_mesh_cutting

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/read_packing_parameters.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/mirrored_vertices.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/vectors.h>
 
@@ -30,6 +31,7 @@
 #include <utility>
 
 #ifndef CGAL_SEPARATE_IMPLEMENTATION
+#include <CGAL/Surface_mesh_cutting/internal/indexed_functions/find_indexed_symmetries.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions/pack_indexed_charts.h>
 #endif
 
@@ -87,6 +89,13 @@ namespace Surface_mesh_cutting {
 ///     \cgalParamDescription{how charts may be turned}
 ///     \cgalParamType{`Surface_mesh_cutting::Chart_rotation`}
 ///     \cgalParamDefault{`Chart_rotation::AUTOMATIC`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{symmetry}
+///     \cgalParamDescription{a reflection that maps the surface and its cut to themselves: charts that are mirror images of
+///                           each other then lie side by side as such, see \ref smc_packing_symmetry}
+///     \cgalParamType{`Surface_mesh_cutting::Symmetry`}
+///     \cgalParamDefault{`Symmetry::NONE`}
+///     \cgalParamExtra{Without such a reflection, charts are placed as usual.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{texels_per_unit}
 ///     \cgalParamDescription{the number of texels to which a unit of length in the given UVs is scaled, on as few pages as the
@@ -163,6 +172,7 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
                                          const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
+  using parameters::get_parameter;
   using parameters::get_parameter_reference;
   using UV = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using Number = std::decay_t<decltype(std::declval<const UV&>().x())>;
@@ -186,9 +196,11 @@ Packing_result<TriangleMesh> pack_charts(const TriangleMesh& tmesh, EdgeIsCutMap
     const auto round = [make_uv](const Eigen::Vector2d& uv)
     { return Surface_mesh_parameterization::internal::to_vector_2(make_uv(uv)); };
     const internal::Corner_table chart = internal::make_chart(adapter.mesh(), adapter.read_cut(edge_is_cut_map));
+    constexpr internal::Execution execution = Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>();
+    const Symmetry symmetry = choose_parameter(get_parameter(np, internal_np::symmetry), Symmetry::NONE);
     const internal::Indexed_packing packing = internal::pack_indexed_charts(
-      chart, adapter.read_uvs(halfedge_uv_map), parameters, round,
-      Surface_mesh_parameterization::internal::execution_of<ConcurrencyTag>(), control);
+      chart, adapter.read_uvs(halfedge_uv_map), internal::mirrored_vertices(adapter, chart, symmetry, execution), parameters,
+      round, execution, control);
     status.finding = packing.status.finding;
     result.has_result = packing.has_result;
     if(result.has_result)

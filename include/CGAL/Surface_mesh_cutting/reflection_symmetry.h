@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_cutting/Symmetry.h>
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
+#include <CGAL/Surface_mesh_cutting/internal/symmetry/mirrored_vertices.h>
 #include <CGAL/Surface_mesh_cutting/internal/symmetry/to_plane.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -38,20 +39,6 @@
 
 namespace CGAL {
 namespace Surface_mesh_cutting {
-
-namespace internal {
-
-template <typename Adapter>
-Cut diagonals_of(const Adapter& adapter)
-{
-  Cut diagonals;
-  if(adapter.has_diagonals())
-    for(int e = 0; e < adapter.mesh().number_of_edges(); ++e)
-      diagonals.push_back(adapter.is_diagonal(e));
-  return diagonals;
-}
-
-} // namespace internal
 
 /// \ingroup PkgSurfaceMeshCuttingRef
 ///

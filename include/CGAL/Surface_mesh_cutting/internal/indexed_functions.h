@@ -97,10 +97,11 @@ CGAL_INLINE_UNLESS_SEPARATE
 Indexed_status measure_indexed_seams(const Indexed_mesh& mesh, const Cut& cut, const std::vector<Eigen::Vector2d>& corner_uv,
                                      Execution execution, Seam_measures& measures);
 
-// Moves the parts of a chart into the unit square. `round`: what becomes of a UV when it is handed out and read back.
+// Moves the parts of a chart into the unit square. `mirrored_vertices`: per vertex of the chart, its mirror image; empty if there
+// are none. `round`: what becomes of a UV when it is handed out and read back.
 CGAL_INLINE_UNLESS_SEPARATE
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
-                                    const Packing_parameters& parameters,
+                                    const std::vector<int>& mirrored_vertices, const Packing_parameters& parameters,
                                     const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& round,
                                     Execution execution, Run_control& control);
 

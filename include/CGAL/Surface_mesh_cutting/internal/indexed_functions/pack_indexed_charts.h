@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Chart_cover.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Chart_units.h>
+#include <CGAL/Surface_mesh_cutting/internal/packing/Mirrored_parts.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Packing_certificate.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/Page_tile.h>
 #include <CGAL/Surface_mesh_cutting/internal/packing/pack_outlines.h>
@@ -141,6 +143,45 @@ inline std::optional<Packed_charts> packed_outlines(const std::vector<Chart_outl
                        {most_pages, wanted_scale});
 }
 
+// The same, mirrored charts as one. Their distance at a scale that is not known yet is that at a small one.
+inline std::optional<Packed_charts> packed_units(const std::vector<Chart_outline>& outlines, const Mirrored_parts& mirrored,
+                                                 Packing_parameters parameters, double wanted_scale, Execution execution,
+                                                 Run_control& control)
+{
+  constexpr double reserve = 1.003, hopeful = 0.5, shrinking = 0.9, least_gap = 1e-5;
+  constexpr int most_tries = 4;
+  const double margin = reserve * parameters.margin.distance();
+  const Chart_rotation rotation = parameters.rotation;
+  if(rotation == Chart_rotation::UPRIGHT)
+    parameters.rotation = Chart_rotation::NONE;
+  double scale = wanted_scale > 0 ? wanted_scale
+                                  : hopeful * largest_scale_of_areas(outlines, margin, parameters.most_pages);
+  for(int i = 0; i < most_tries && scale > 0; ++i)
+  {
+    const Chart_units units(outlines, mirrored, rotation, (std::max)(margin / scale, least_gap));
+    const std::optional<Packed_charts> packed = packed_outlines(units.outlines(), parameters, wanted_scale, execution, control);
+    if(!packed)
+      return std::nullopt;
+    if(packed->scale >= scale || units.outlines().size() == outlines.size())
+      return units.of_charts(*packed);
+    scale = shrinking * packed->scale;
+  }
+  return std::nullopt;
+}
+
+// Mirrored charts side by side if there is room for that, as there is but with large margins.
+inline std::optional<Packed_charts> packed_mirrored(const std::vector<Chart_outline>& outlines, const Mirrored_parts& mirrored,
+                                                    Packing_parameters parameters, double wanted_scale, Execution execution,
+                                                    Run_control& control)
+{
+  if(std::any_of(mirrored.images.begin(), mirrored.images.end(), [](int i) { return i >= 0; }))
+    if(std::optional<Packed_charts> packed = packed_units(outlines, mirrored, parameters, wanted_scale, execution, control))
+      return packed;
+  if(parameters.rotation == Chart_rotation::UPRIGHT)
+    parameters.rotation = Chart_rotation::QUARTER;
+  return packed_outlines(outlines, parameters, wanted_scale, execution, control);
+}
+
 inline Indexed_status no_room(const Packing_parameters& parameters, int number_of_charts)
 {
   const std::string charts = std::to_string(number_of_charts) + " charts", pages = std::to_string(parameters.most_pages);
@@ -153,8 +194,8 @@ inline Indexed_status no_room(const Packing_parameters& parameters, int number_o
 
 CGAL_INLINE_UNLESS_SEPARATE
 Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector<Eigen::Vector2d>& corner_uv,
-                                    const Packing_parameters& parameters, const Round& round, Execution execution,
-                                    Run_control& control)
+                                    const std::vector<int>& mirrored_vertices, const Packing_parameters& parameters,
+                                    const Round& round, Execution execution, Run_control& control)
 {
   Indexed_packing packing;
   const Certificate certificate = certify_corners(chart, corner_uv, false, execution);
@@ -179,7 +220,8 @@ Indexed_packing pack_indexed_charts(const Corner_table& chart, const std::vector
   const std::vector<Chart_outline> outlines = chart_outlines(outer_chart, outer_parts, outer_uv, factor);
   const double wanted_scale = parameters.texels_per_unit / parameters.margin.texture_size;
   const std::optional<Packed_charts> packed
-    = packed_outlines(outlines, parameters, std::ldexp(wanted_scale, exponent) / factor, execution, control);
+    = packed_mirrored(outlines, Mirrored_parts(chart, parts, uv, mirrored_vertices), parameters,
+                      std::ldexp(wanted_scale, exponent) / factor, execution, control);
   if(!packed)
     packing.status = no_room(parameters, parts.number);
   if(!packed)

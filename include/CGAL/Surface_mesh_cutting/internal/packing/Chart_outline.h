@@ -45,6 +45,7 @@ struct Chart_outline
   std::vector<Eigen::Vector2d> hull; // counterclockwise
   Eigen::Vector2d center;            // what the origin was moved to
   double area = 0;
+  bool has_axis = false; // whether it is its own mirror image, left and right
 
   // The box around the chart turned by `angle`.
   Surface_mesh_parameterization::internal::Bounding_box<2> box(double angle) const

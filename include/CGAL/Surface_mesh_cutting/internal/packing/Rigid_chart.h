@@ -54,6 +54,7 @@ struct Rigid_chart
   Distance_field field;
   std::vector<Eigen::Vector2d> samples; // of the outline, all corners among them that can be closest to another chart
   std::vector<Sample_block> blocks;     // of samples
+  std::vector<Eigen::Vector2d> starts;  // of the loops of the outline
   double radius = 0;                    // of a circle around the origin
   double perimeter = 0;
   Chart_rotation rotation;
@@ -75,6 +76,8 @@ struct Rigid_chart
     for(std::size_t i = 0; i < outline.size(); ++i)
     {
       const Outline_segment& s = outline[i];
+      if(i == 0 || outline[i - 1].target != s.source)
+        starts.push_back(s.source);
       if(length >= spacing || i == 0 || !is_reflex(outline[i - 1], s))
         add_sample(s.source);
       const double rest = (s.target - s.source).norm();
@@ -144,8 +147,12 @@ inline bool do_overlap(const Rigid_chart& first, const Rigid_motion& at_first, c
         return true;
   }
   const Rigid_motion back = at_second.relative_to(at_first);
-  return is_inside(second.outline, relative(first.samples.front()))
-         || is_inside(first.outline, back(second.samples.front()));
+  const auto has_inside = [](const Rigid_chart& chart, const Rigid_chart& other, const Rigid_motion& motion)
+  {
+    return std::any_of(other.starts.begin(), other.starts.end(),
+                       [&](const Eigen::Vector2d& p) { return is_inside(chart.outline, motion(p)); });
+  };
+  return has_inside(second, first, relative) || has_inside(first, second, back);
 }
 
 } // namespace internal

@@ -111,9 +111,11 @@ inline std::complex<double> mean_direction(const Chart_outline& outline)
 }
 
 // The turn of at most an eighth either way after which the chart is aligned with the axes: its border runs along them as
-// far as it can or, where no direction stands out, the smallest box around it does.
+// far as it can or, where no direction stands out, the smallest box around it does. A chart that has an axis stands upright.
 inline double alignment_angle(const Chart_outline& outline)
 {
+  if(outline.has_axis)
+    return 0;
   constexpr double clear = 0.5;
   const std::complex<double> direction = mean_direction(outline);
   if(std::abs(direction) > clear)

@@ -26,7 +26,7 @@ namespace internal {
 inline Chart_rotation rotation_of(const std::string& name)
 {
   return name == "any" ? Chart_rotation::ANY : name == "quarter" ? Chart_rotation::QUARTER
-       : name == "none" ? Chart_rotation::NONE : Chart_rotation::AUTOMATIC;
+       : name == "none" ? Chart_rotation::NONE : name == "upright" ? Chart_rotation::UPRIGHT : Chart_rotation::AUTOMATIC;
 }
 
 } // namespace internal
