@@ -39,8 +39,6 @@ std::vector<std::string> files_of_pages(const Options& options, int number_of_pa
     return {};
   if(!options.has_page_files)
     return {name};
-  if(find_output_place(name).kind != Output_place::Kind::REGULAR_FILE)
-    throw Failure(Exit_code::USAGE, name + " is not a file: --page-files makes several");
   std::vector<std::string> files;
   for(int page = 0; page < number_of_pages; ++page)
     files.push_back(file_of_page(name, page));
@@ -127,6 +125,9 @@ void decide_places(const Options& options, int number_of_pages, Output_places& p
     if(output.name != "-")
       places.names.push_back(output.file);
   }
+  for(const std::string& name : {options.output, options.svg})
+    if(options.has_page_files && !name.empty() && find_output_place(name).kind != Output_place::Kind::REGULAR_FILE)
+      throw Failure(Exit_code::USAGE, name + " is not a file: --page-files makes several");
   check_image_can_be_named(options);
   if(places.material && places.meshes.front()->kind != Output_place::Kind::REGULAR_FILE)
     throw Failure(Exit_code::USAGE, options.output + " is not a file, so the material of --texture cannot be written beside it");

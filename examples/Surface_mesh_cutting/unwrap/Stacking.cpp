@@ -17,8 +17,6 @@ namespace {
 using CGAL::Surface_mesh_cutting::internal::Halfedge_arrays;
 using CGAL::Surface_mesh_cutting::internal::Soup_surface;
 
-Halfedge halfedge_of(int h) { return Halfedge(Mesh::size_type(h)); }
-
 // The sides of the divided edges are borders.
 Halfedge_arrays divided_arrays(const Mesh& mesh, const std::vector<char>& is_divided)
 {
@@ -126,9 +124,10 @@ private:
 
 } // namespace
 
-Stacking::Stacking(const Surface& surface, double tolerance, std::vector<char> is_divided)
-  : m_surface(surface), m_is_divided(std::move(is_divided)), m_arrays(divided_arrays(surface.mesh, m_is_divided)),
-    m_components(m_arrays, tolerance)
+Stacking::Stacking(const Surface& surface, double tolerance, const std::optional<Division>& division)
+  : m_surface(surface), m_is_divided(division ? division->is_divided : std::vector<char>()),
+    m_arrays(divided_arrays(surface.mesh, m_is_divided)),
+    m_components(m_arrays, tolerance, division ? division->reflection : std::vector<int>())
 {
   std::vector<char> is_original(surface.mesh.num_halfedges(), 0);
   for(int i = 0; i < m_components.number(); ++i)

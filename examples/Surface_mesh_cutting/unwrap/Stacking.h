@@ -6,18 +6,20 @@
 #include "Constraints.h"
 #include "Mesh.h"
 #include "Surface.h"
+#include "divide_at_plane.h"
 
 #include <CGAL/Surface_mesh_cutting/internal/surface/Congruent_components.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 class Stacking
 {
 public:
-  // `tolerance`: of the diagonal of a part. `is_divided`: marks edges at which components are divided in addition; empty if
-  // there are none. The surface is kept by reference.
-  Stacking(const Surface& surface, double tolerance, std::vector<char> is_divided);
+  // `tolerance`: of the diagonal of a part. `division`: where components are divided in addition. The surface is kept by
+  // reference.
+  Stacking(const Surface& surface, double tolerance, const std::optional<Division>& division);
   Stacking(const Stacking&) = delete;
   Stacking& operator=(const Stacking&) = delete;
 

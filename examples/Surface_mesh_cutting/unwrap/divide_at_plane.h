@@ -15,6 +15,7 @@ struct Division
 {
   CGAL::Surface_mesh_cutting::Reflection_plane plane;
   std::vector<char> is_divided; // per edge
+  std::vector<int> reflection;  // of each halfedge, its mirror image, backward; -1 without one
 };
 
 // The first plane of symmetry that runs along edges, if there is one.

@@ -11,10 +11,10 @@
 namespace {
 
 // Some of the elements of an array, in their order.
-class Selection
+class Page_selection
 {
 public:
-  explicit Selection(const std::vector<char>& is_chosen) : m_numbers(is_chosen.size(), -1)
+  explicit Page_selection(const std::vector<char>& is_chosen) : m_numbers(is_chosen.size(), -1)
   {
     for(std::size_t i = 0; i < is_chosen.size(); ++i)
       if(is_chosen[i])
@@ -66,16 +66,16 @@ std::vector<char> corners_of_page(const Layout& layout, int page)
 }
 
 // The elements, of so many, that the chosen corners have.
-Selection elements_at(const Selection& corners, const std::vector<int>& elements_of_corners, std::size_t number)
+Page_selection elements_at(const Page_selection& corners, const std::vector<int>& elements_of_corners, std::size_t number)
 {
   std::vector<char> is_chosen(number, 0);
   for(const int element : corners.of(elements_of_corners))
     if(element >= 0)
       is_chosen[std::size_t(element)] = 1;
-  return Selection(is_chosen);
+  return Page_selection(is_chosen);
 }
 
-std::vector<int> numbers_of(const std::vector<int>& elements, const Selection& selection)
+std::vector<int> numbers_of(const std::vector<int>& elements, const Page_selection& selection)
 {
   std::vector<int> numbers;
   for(const int element : elements)
@@ -83,7 +83,7 @@ std::vector<int> numbers_of(const std::vector<int>& elements, const Selection& s
   return numbers;
 }
 
-std::vector<Layout::Triangle> numbers_of(const std::vector<Layout::Triangle>& triangles, const Selection& selection)
+std::vector<Layout::Triangle> numbers_of(const std::vector<Layout::Triangle>& triangles, const Page_selection& selection)
 {
   std::vector<Layout::Triangle> numbers;
   for(const Layout::Triangle& t : triangles)
@@ -91,12 +91,12 @@ std::vector<Layout::Triangle> numbers_of(const std::vector<Layout::Triangle>& tr
   return numbers;
 }
 
-Selection triangles_at(const Selection& corners, const Layout& layout)
+Page_selection triangles_at(const Page_selection& corners, const Layout& layout)
 {
   std::vector<char> is_chosen;
   for(const Layout::Triangle& triangle : layout.triangle_corners)
     is_chosen.push_back(corners.number(triangle[0]) >= 0);
-  return Selection(is_chosen);
+  return Page_selection(is_chosen);
 }
 
 std::string_view word_of(std::string_view statement)
@@ -111,7 +111,7 @@ Data_kind kind_of(std::string_view statement)
 }
 
 // Statements that do not refer to points. One that another of its kind replaces before it has a polygon is left out.
-std::vector<Obj_statements::Line> statements_of(const std::vector<Obj_statements::Line>& lines, const Selection& polygons)
+std::vector<Obj_statements::Line> statements_of(const std::vector<Obj_statements::Line>& lines, const Page_selection& polygons)
 {
   const Data_kinds left_out = kinds_not_on_pages();
   std::vector<Obj_statements::Line> result;
@@ -145,11 +145,11 @@ Data_kinds kinds_not_on_pages()
 
 Layout mesh_of_page(const Layout& layout, int page)
 {
-  const Selection polygons(polygons_of_page(layout, page)), corners(corners_of_page(layout, page));
-  const Selection points = elements_at(corners, layout.corners, layout.points.size());
-  const Selection uvs = elements_at(corners, layout.corner_uvs, layout.uv_points.size());
-  const Selection normals = elements_at(corners, layout.corner_normals, layout.normals.size());
-  const Selection triangles = triangles_at(corners, layout);
+  const Page_selection polygons(polygons_of_page(layout, page)), corners(corners_of_page(layout, page));
+  const Page_selection points = elements_at(corners, layout.corners, layout.points.size());
+  const Page_selection uvs = elements_at(corners, layout.corner_uvs, layout.uv_points.size());
+  const Page_selection normals = elements_at(corners, layout.corner_normals, layout.normals.size());
+  const Page_selection triangles = triangles_at(corners, layout);
   Layout result;
   result.points = points.of(layout.points);
   result.colors = points.of(layout.colors);
@@ -180,8 +180,8 @@ Layout mesh_of_page(const Layout& layout, int page)
 
 Layout picture_of_page(const Layout& layout, int page)
 {
-  const Selection corners(corners_of_page(layout, page)), triangles = triangles_at(corners, layout);
-  const Selection uvs = elements_at(corners, layout.corner_uvs, layout.uv_points.size());
+  const Page_selection corners(corners_of_page(layout, page)), triangles = triangles_at(corners, layout);
+  const Page_selection uvs = elements_at(corners, layout.corner_uvs, layout.uv_points.size());
   Layout result = layout;
   result.triangles = triangles.of(layout.triangles);
   result.triangle_corners = triangles.of(layout.triangle_corners);

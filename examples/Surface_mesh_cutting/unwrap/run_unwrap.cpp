@@ -310,7 +310,7 @@ Result find_layout(const Polygon_soup& soup, Surface& surface, Stacking* stackin
 void stack(const Surface& surface, Options& options, std::optional<Stacking>& stacking, Outcome& outcome)
 {
   const std::optional<Division> division = divide_at_plane(surface.mesh, SMC::internal::symmetry_of(options.symmetry));
-  stacking.emplace(surface, options.stack_tolerance, division ? division->is_divided : std::vector<char>());
+  stacking.emplace(surface, options.stack_tolerance, division);
   outcome.stacked = stacking->stacks();
   if(!stacking->has_copies())
     stacking.reset();

@@ -40,8 +40,9 @@ namespace internal {
 class Congruent_components
 {
 public:
-  // `tolerance`: of the diagonal of a component's bounding box.
-  Congruent_components(const Halfedge_arrays& mesh, double tolerance)
+  // `tolerance`: of the diagonal of a component's bounding box. `reflection`: the image of each halfedge by a reflection that is
+  // tried first, backward; -1 without one, and empty if there is none.
+  Congruent_components(const Halfedge_arrays& mesh, double tolerance, const std::vector<int>& reflection = {})
     : m_mesh(mesh), m_image(mesh.next.size(), -1), m_corner(m_image), m_pair(m_image), m_vertex_image(mesh.points.size(), -1)
   {
     find_components();
@@ -52,7 +53,7 @@ public:
       const Component& component = m_components[i];
       std::vector<int>& candidates = originals[{component.halfedges.size(), component.vertices.size(), component.borders}];
       const auto original = std::find_if(candidates.begin(), candidates.end(),
-                                         [&](int j) { return match(j, i, tolerance); });
+                                         [&](int j) { return match(j, i, tolerance, reflection); });
       m_original.push_back(original == candidates.end() ? i : *original);
       if(original == candidates.end())
         candidates.push_back(i);
@@ -86,7 +87,8 @@ private:
 
   void find_components()
   {
-    std::vector<char> is_met(m_mesh.next.size(), 0), has_vertex(m_mesh.points.size(), 0);
+    std::vector<char> is_met(m_mesh.next.size(), 0);
+    std::vector<int> last_component(m_mesh.points.size(), -1); // that has the vertex: several have it where they are divided
     for(int first = 0; first < m_mesh.number_of_halfedges(); ++first)
     {
       if(is_met[first] || m_mesh.next[first] < 0)
@@ -100,7 +102,7 @@ private:
         stack.pop_back();
         component.halfedges.push_back(h);
         component.borders += m_mesh.opposite[h] < 0;
-        if(!std::exchange(has_vertex[m_mesh.target[h]], char(1)))
+        if(std::exchange(last_component[m_mesh.target[h]], number()) != number())
           component.vertices.push_back(m_mesh.target[h]);
         for(const int g : {m_mesh.next[h], m_mesh.opposite[h]})
           if(g >= 0 && !std::exchange(is_met[g], char(1)))
@@ -125,38 +127,51 @@ private:
   }
 
   // Whether the second component is a copy of the first one; then its halfedges get their images there.
-  bool match(int original, int copy, double tolerance)
+  bool match(int original, int copy, double tolerance, const std::vector<int>& reflection)
   {
     const Component& first = m_components[original];
     const Component& second = m_components[copy];
     const double difference = tolerance * first.size;
     if(std::abs(first.length - second.length) > 2 * difference * double(first.halfedges.size()))
       return false;
+    if(!reflection.empty() && std::binary_search(first.halfedges.begin(), first.halfedges.end(), reflection[second.anchor]))
+    {
+      std::size_t visits = 0;
+      if(match_by(copy, reflection[second.anchor], true, difference, visits))
+        return true;
+    }
     constexpr std::size_t most_visits = 100; // of each halfedge on average
     std::size_t visits = 0;
     for(const bool is_mirrored : {false, true})
       for(const int h : first.halfedges)
       {
-        std::vector<Pair> pairs;
-        const bool is_found = extend(second.anchor, h, is_mirrored, 2 * difference, pairs)
-                              && is_motion(pairs, second, is_mirrored, difference);
-        visits += pairs.size() + 1;
-        if(is_found)
-        {
-          for(const auto& [g, image] : pairs) // mirrored, the target of one corresponds to the source of the other one
-          {
-            m_image[g] = image;
-            m_corner[g] = is_mirrored ? m_mesh.previous[image] : image;
-          }
-          m_is_mirrored[copy] = is_mirrored;
-          forget(pairs);
+        if(match_by(copy, h, is_mirrored, difference, visits))
           return true;
-        }
-        forget(pairs);
         if(visits > most_visits * first.halfedges.size())
           return false;
       }
     return false;
+  }
+
+  // The same with a given image of the copy's anchor.
+  bool match_by(int copy, int image_of_anchor, bool is_mirrored, double difference, std::size_t& visits)
+  {
+    const Component& component = m_components[copy];
+    std::vector<Pair> pairs;
+    const bool is_found = extend(component.anchor, image_of_anchor, is_mirrored, 2 * difference, pairs)
+                          && is_motion(pairs, component, is_mirrored, difference);
+    visits += pairs.size() + 1;
+    if(is_found)
+    {
+      for(const auto& [g, image] : pairs) // mirrored, the target of one corresponds to the source of the other one
+      {
+        m_image[g] = image;
+        m_corner[g] = is_mirrored ? m_mesh.previous[image] : image;
+      }
+      m_is_mirrored[copy] = is_mirrored;
+    }
+    forget(pairs);
+    return is_found;
   }
 
   // Follows both components from two halfedges on, as long as lengths and the borders agree. A reflection turns halfedges
