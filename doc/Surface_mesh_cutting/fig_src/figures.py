@@ -100,23 +100,17 @@ class Figures:
         return 1200, 300, objects
 
     def symmetric_layout(self):
-        """a symmetric chart, mirrored charts side by side, and one half on the other"""
-        points, faces = read_off(self.mesh("couplingdown"))
-        plane = self.work / "plane.selection.txt"
-        report = self.work / "symmetry.json"
-        mirror = ["--symmetry", "auto", "--rotate", "upright"]
-        surface = self.unwrap("couplingdown", *mirror, "--json", report)
-        normal, offset = (json.loads(report.read_text())["symmetry"][key] for key in ("normal", "offset"))
-        is_in_plane = [abs(sum(n * x for n, x in zip(normal, p)) - offset) < 1e-6 for p in points]
-        write_selection(plane, sorted({(min(a, b), max(a, b)) for f in faces for a, b in zip(f, f[1:] + f[:1])
-                                       if is_in_plane[a] and is_in_plane[b]}))
-        objects = draw_surface(surface, Cell(0, 0, 300, 300), COUPLING, points=False)
-        for i, options in enumerate(([], ["--must-cut", plane], ["--stack"])):
-            page = self.unwrap("couplingdown", *mirror, *options, "--json", report, scale="unit")
+        """a chart that is symmetric, as it comes and upright"""
+        objects = []
+        for i, turn in enumerate(("any", "upright")):
+            report = self.work / "symmetry.json"
+            surface = self.unwrap("couplingdown", "--symmetry", "auto", "--rotate", turn, "--json", report, scale="unit")
             side = 1 / json.loads(report.read_text())["uv_scale"]
-            page.uvs = [(u * side, v * side) for u, v in page.uvs]
-            objects += draw_pages(page, Cell(300 * (i + 1), 0, 300, 300), 1, side)
-        return 1200, 300, objects
+            surface.uvs = [(u * side, v * side) for u, v in surface.uvs]
+            if i == 0:
+                objects += draw_surface(surface, Cell(0, 0, 300, 300), COUPLING, points=False)
+            objects += draw_pages(surface, Cell(300 * (i + 1), 0, 300, 300), 1, side)
+        return 900, 300, objects
 
     def straight_seams(self):
         objects = []
