@@ -23,7 +23,7 @@ if [ ! -d "$chroot" ]; then
 fi
 
 # Git keeps the dates of files that are the same, so that a second build compiles only what has changed.
-checkout=$chroot/root/checkout
+checkout=$chroot/srv/checkout
 [ -d "$checkout" ] || git init -q "$checkout"
 git -C "$checkout" fetch -q --depth 1 "file://$root" HEAD
 git -C "$checkout" checkout -q --force --detach FETCH_HEAD
@@ -34,8 +34,8 @@ inside() {
     for folder in dev proc sys; do
       mount --rbind "/$folder" "$1/$folder"
     done
-    exec chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
-      CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" bash -euc "cd /root/checkout && $2"' _ "$chroot" "$1"
+    exec chroot "$1" /usr/bin/env -i HOME=/srv PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+      CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" bash -euc "cd /srv/checkout && $2"' _ "$chroot" "$1"
 }
 
 versions() { inside "dpkg-query -W -f '\${Package} \${Version}\n' $* 2> /dev/null" || true; }
