@@ -9,6 +9,7 @@
 // without the final UVs, are processor seconds. `--coarse 0` stays at full resolution.
 // Means follow on the standard error output.
 
+#include "Profiler.h"
 #include "peak_memory.h"
 #include "pipeline_options.h"
 
@@ -61,12 +62,6 @@ struct Measurement
 
   double total() const { return median_seconds(cpu_seconds, &SMC::Phase_times::total); }
   double cut() const { return total() - median_seconds(cpu_seconds, &SMC::Phase_times::parameterize); }
-};
-
-struct Profiler : SMC::Default_visitor
-{
-  SMC::Run_profile profile;
-  void ended(const SMC::Run_profile& p) { profile = p; }
 };
 
 Measurement measure(Mesh& mesh, const Pipeline_options& options, int seed)

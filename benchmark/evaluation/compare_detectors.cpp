@@ -9,6 +9,7 @@
 // Connections: mst, sph, greedy (by the minimum spanning tree), greedy_sph (by the shortest path
 // heuristic), best. Default: all detectors, best.
 
+#include "../Surface_mesh_cutting/Profiler.h"
 #include "seamster.h"
 #include "Surface.h"
 
@@ -89,12 +90,6 @@ Detection candidates(const Surface& surface)
     detection.features.push_back(c.vertex);
   return detection;
 }
-
-struct Profiler : SMC::Default_visitor
-{
-  SMC::Run_profile profile;
-  void ended(const SMC::Run_profile& p) { profile = p; }
-};
 
 Detection detect_by_package(const Mesh& mesh, bool is_faithful)
 {

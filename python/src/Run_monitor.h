@@ -60,7 +60,7 @@ public:
 
   void ended(const CGAL::Surface_mesh_cutting::Run_profile& profile) { m_profile = profile; }
 
-  // Of the last run that has ended.
+  // The profile of the last run that has ended.
   const CGAL::Surface_mesh_cutting::Run_profile& profile() const { return m_profile; }
 
   void stop() { m_is_stopped = true; }

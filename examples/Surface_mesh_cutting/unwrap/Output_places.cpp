@@ -32,7 +32,7 @@ Output_place find_place_of_report(const std::string& name)
   return name == "-" ? standard_output_place() : find_output_place(name);
 }
 
-// Of a file that each page has one of, one for all if pages share it.
+// The files that an output is written to: one for each page, or one for all.
 std::vector<std::string> files_of_pages(const Options& options, int number_of_pages, const std::string& name)
 {
   if(name.empty())

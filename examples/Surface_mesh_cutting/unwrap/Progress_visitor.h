@@ -26,7 +26,7 @@ public:
 
   void ended(const CGAL::Surface_mesh_cutting::Run_profile& profile) { m_profile = profile; }
 
-  // Of the computation, once it has ended.
+  // The profile of the computation, once it has ended.
   const CGAL::Surface_mesh_cutting::Run_profile& profile() const { return m_profile; }
 
 private:

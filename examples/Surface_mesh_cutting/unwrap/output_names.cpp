@@ -3,8 +3,11 @@
 #include "file_extension.h"
 #include "outcome.h"
 
+#include <CGAL/Surface_mesh_cutting/internal/packing/Page_tile.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 namespace {
 
@@ -31,10 +34,9 @@ bool is_material_renamed(const Options& options)
 
 std::string file_of_page(const std::string& name, int page)
 {
-  constexpr int first_tile = 1001;
   const fs::path path = name;
-  return (path.parent_path() / (path.stem().string() + "." + std::to_string(first_tile + page) + path.extension().string()))
-    .string();
+  const std::string tile = std::to_string(CGAL::Surface_mesh_cutting::internal::tile_of_page(page));
+  return (path.parent_path() / (path.stem().string() + "." + tile + path.extension().string())).string();
 }
 
 std::string image_from_mesh(const Options& options)

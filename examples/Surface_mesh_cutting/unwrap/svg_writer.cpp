@@ -22,6 +22,7 @@
 namespace {
 
 using CGAL::Surface_mesh_cutting::internal::corner_of_page;
+using CGAL::Surface_mesh_cutting::internal::tile_of_page;
 using Point = std::array<double, 2>;
 
 constexpr double longer_side = 1000, margin = 24, legend_height = 90; // of the picture
@@ -115,7 +116,6 @@ void draw_pages(const Layout& layout, std::optional<int> only_page, const View& 
 {
   if(layout.polygon_pages.empty() && !only_page)
     return;
-  constexpr int first_tile = 1001;
   const int first = only_page.value_or(0);
   const int last = only_page ? first : *std::max_element(layout.polygon_pages.begin(), layout.polygon_pages.end());
   out << "<g fill=\"none\" stroke=\"#999\" font-family=\"sans-serif\" font-size=\"13\">\n";
@@ -125,7 +125,7 @@ void draw_pages(const Layout& layout, std::optional<int> only_page, const View& 
     const Point corner = view({{low.x(), low.y() + 1}});
     out << "<rect x=\"" << Coarse{corner[0]} << "\" y=\"" << Coarse{corner[1]} << "\" width=\"" << Coarse{view.scale()}
         << "\" height=\"" << Coarse{view.scale()} << "\"/>\n";
-    write_text(corner[0] + 4, corner[1] + 14, "start", std::to_string(first_tile + page), out);
+    write_text(corner[0] + 4, corner[1] + 14, "start", std::to_string(tile_of_page(page)), out);
   }
   out << "</g>\n";
 }

@@ -59,7 +59,7 @@ namespace Surface_mesh_cutting {
 template <typename TriangleMesh, typename EdgeIsCutMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<TriangleMesh> certify_cut(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
-                                 const NamedParameters& np = parameters::default_values())
+                                        const NamedParameters& np = parameters::default_values())
 {
   const auto adapter = internal::make_mesh_adapter(tmesh, np);
 

@@ -97,8 +97,8 @@ namespace Surface_mesh_cutting {
 template <typename TriangleMesh, typename EdgeIsCutMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<TriangleMesh> certify_packing(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
-                                     HalfedgeUVMap halfedge_uv_map,
-                                     const NamedParameters& np = parameters::default_values())
+                                            HalfedgeUVMap halfedge_uv_map,
+                                            const NamedParameters& np = parameters::default_values())
 {
   const auto adapter = internal::make_mesh_adapter(tmesh, np);
   const internal::Packing_parameters parameters = internal::read_packing_parameters(np);

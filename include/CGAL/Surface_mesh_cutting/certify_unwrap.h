@@ -92,8 +92,8 @@ namespace Surface_mesh_cutting {
 template <typename TriangleMesh, typename EdgeIsCutMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<TriangleMesh> certify_unwrap(const TriangleMesh& tmesh, EdgeIsCutMap edge_is_cut_map,
-                                    HalfedgeUVMap halfedge_uv_map,
-                                    const NamedParameters& np = parameters::default_values())
+                                           HalfedgeUVMap halfedge_uv_map,
+                                           const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

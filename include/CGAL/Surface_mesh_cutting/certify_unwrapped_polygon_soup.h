@@ -55,8 +55,8 @@ namespace Surface_mesh_cutting {
 template <typename PointRange, typename PolygonRange, typename CornerUVs,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<Polygon_soup> certify_unwrapped_polygon_soup(const PointRange& points, const PolygonRange& polygons,
-                                                    const CornerUVs& corner_uvs,
-                                                    const NamedParameters& np = parameters::default_values())
+                                                           const CornerUVs& corner_uvs,
+                                                           const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

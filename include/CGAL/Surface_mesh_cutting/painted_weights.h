@@ -88,8 +88,8 @@ Indexed_status find_painted_factors(const Adapter& adapter, VertexPaintMap verte
 template <typename TriangleMesh, typename EdgeWeightMap, typename VertexPaintMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Result_status<TriangleMesh> painted_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map,
-                                     VertexPaintMap vertex_paint_map,
-                                     const NamedParameters& np = parameters::default_values())
+                                            VertexPaintMap vertex_paint_map,
+                                            const NamedParameters& np = parameters::default_values())
 {
   return internal::put_weights(tmesh, edge_weight_map, np, [&](const auto& adapter, std::vector<double>& factors)
   { return internal::find_painted_factors(adapter, vertex_paint_map, factors); });

@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_cutting/internal/indexed_functions.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/put_weights.h>
 #include <CGAL/Surface_mesh_cutting/internal/run/read_run_control.h>
-#include <CGAL/Surface_mesh_cutting/internal/context/Run_control.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/Indexed_status.h>
 #include <CGAL/Surface_mesh_cutting/internal/surface/View.h>
 #include <CGAL/Surface_mesh_cutting/Result_status.h>

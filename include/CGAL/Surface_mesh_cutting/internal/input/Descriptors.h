@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// What stands for the elements of a surface in results. A surface that is no graph specializes it.
+// The types that stand for the elements of a surface in results. A surface that is no graph specializes them.
 template <typename Surface>
 struct Descriptors
 {

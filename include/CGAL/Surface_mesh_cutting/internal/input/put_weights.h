@@ -67,7 +67,7 @@ double factored_weight(const Adapter& adapter, EdgeWeightMap given_weights, int 
 // border edges are not used. The two maps of weights may be the same.
 template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameters, typename FindFactors>
 Result_status<TriangleMesh> put_weights(const TriangleMesh& tmesh, EdgeWeightMap edge_weight_map, const NamedParameters& np,
-                                 FindFactors find_factors)
+                                        FindFactors find_factors)
 {
   using parameters::get_parameter;
 

@@ -35,7 +35,7 @@ struct Mirrored_parts
   // The reflection of the plane that takes a chart to its image, once both have their middle at the origin: it maps a complex
   // number z to this one, of length 1, times the conjugate of z.
   std::vector<std::complex<double> > reflections;
-  // Of each chart, the sum of the border that it shares with its image, the chart on the left, over the length of its border.
+  // The sum of the border that each chart shares with its image, the chart on the left, over the length of its border.
   std::vector<Eigen::Vector2d> seams;
 
   // `vertex_images`: per vertex of `chart`, or empty.

@@ -30,6 +30,9 @@ inline Eigen::Vector2d corner_of_page(int page)
   return Eigen::Vector2d(page % pages_in_row, page / pages_in_row);
 }
 
+// The number that UDIM gives a page.
+inline int tile_of_page(int page) { return 1001 + page; }
+
 // The page at a point inside of it, or -1 where no page is.
 inline int page_at(const Eigen::Vector2d& uv)
 {

@@ -134,14 +134,11 @@ private:
     const double difference = tolerance * first.size;
     if(std::abs(first.length - second.length) > 2 * difference * double(first.halfedges.size()))
       return false;
-    if(!reflection.empty() && std::binary_search(first.halfedges.begin(), first.halfedges.end(), reflection[second.anchor]))
-    {
-      std::size_t visits = 0;
-      if(match_by(copy, reflection[second.anchor], true, difference, visits))
-        return true;
-    }
     constexpr std::size_t most_visits = 100; // of each halfedge on average
     std::size_t visits = 0;
+    if(!reflection.empty() && std::binary_search(first.halfedges.begin(), first.halfedges.end(), reflection[second.anchor])
+       && match_by(copy, reflection[second.anchor], true, difference, visits))
+      return true;
     for(const bool is_mirrored : {false, true})
       for(const int h : first.halfedges)
       {

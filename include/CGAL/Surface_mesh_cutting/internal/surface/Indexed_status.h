@@ -28,7 +28,7 @@ namespace internal {
 // The kind of element that the indices of a finding name.
 enum class Element_kind { NONE, VERTEX, EDGE, FACE };
 
-// What happened and where, in indices of the index arrays. The public `Result_status` translates the
+// Names an event and its place, in indices of the index arrays. The public `Result_status` translates the
 // indices into descriptors of the caller's mesh.
 struct Finding
 {
