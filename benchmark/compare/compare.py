@@ -24,17 +24,18 @@ def explain():
 
 def write(folder, records, programs):
     names, rivals = [program.name for program in programs], [program.name for program in programs if program.is_rival()]
-    found = {"values": tables.values_of_all(records, OURS, names, rivals), "programs": tables.totals(records, names),
+    bounds = [(program.name, rival, key) for program in programs for rival, key in program.measured()]
+    found = {"values": tables.values_of_all(records, OURS, names, rivals) | tables.counts_at_bounds(records, bounds),
+             "programs": tables.totals(records, names),
              **{name: tables.pairs(records, OURS, name) for name in names if name != OURS},
-             "at_bounds_of_rivals": {f"{rival} minus {program.name}": tables.pairs(records, program.name, rival)
-                                     for program in programs for rival in program.measured()},
+             **{f"{rival}_minus_{name}": tables.pairs(records, name, rival) for name, rival, _ in bounds},
              "exceptions": tables.exceptions(records, OURS, rivals)}
     (folder / "comparison.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     parts = [f"# {len(records)} surfaces\n", explain(), tables.markdown(found["programs"])]
     for name in names:
         parts += [f"## {name} minus {OURS}\n", tables.markdown(found[name])] if name != OURS else []
-    for name, rows in found["at_bounds_of_rivals"].items():
-        parts += [f"## {name}\n", tables.markdown(rows)]
+    for name, rival, _ in bounds:
+        parts += [f"## {rival} minus {name}\n", tables.markdown(found[f"{rival}_minus_{name}"])]
     parts += ["## Exceptions\n", tables.markdown(found["exceptions"])]
     (folder / "comparison.md").write_text("\n".join(parts), encoding="utf-8")
     (folder / "comparison.html").write_text(page.page(records, found, names, OURS), encoding="utf-8")

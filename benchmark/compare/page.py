@@ -60,8 +60,8 @@ def page(records, found, programs, ours):
              *(figure(records, programs, measure) for measure in tables.MEASURES)]
     for name in programs:
         parts += [f"<h2>{html.escape(name)} minus {html.escape(ours)}</h2>", table(found[name])] if name != ours else []
-    for name, rows in found["at_bounds_of_rivals"].items():
-        parts += [f"<h2>{html.escape(name)}</h2>", table(rows)]
+    for name, rows in found.items():
+        parts += [f"<h2>{html.escape(name.replace('_minus_', ' minus '))}</h2>", table(rows)] if "_minus_" in name else []
     parts += ["<h2>Exceptions</h2>", table(found["exceptions"]), "<h2>All runs</h2>", table(tables.of_meshes(records, programs))]
     head = f"<head><meta charset='utf-8'><title>Comparison</title><style>{STYLE}</style></head>"
     return f"<!DOCTYPE html><html lang='en'>{head}<body>" + "\n".join(parts) + "</body></html>\n"

@@ -37,8 +37,8 @@ class Program:
         return set(re.findall(r"\{(\w+)[.}]", self.command)) - {"root", "input", "output"}
 
     def measured(self):
-        """The programs whose measures it is given."""
-        return sorted(set(re.findall(r"\{(\w+)\.", self.command)))
+        """The programs whose measures it is given, each with the measure."""
+        return sorted(set(re.findall(r"\{(\w+)\.(\w+)\}", self.command)))
 
     def is_rival(self):
         """Whether it is another program that works alone."""

@@ -80,6 +80,18 @@ def counts(records, ours, rivals):
             **{key: sum(row[ours].get(key, 0) for row in records.values()) for key in ("overlaps", "flipped")}}
 
 
+def counts_at_bounds(records, bounds):
+    """For each program (ours, rival, key) that got a measure of a rival as a bound, of the meshes that the rival cuts: on how many it
+    keeps the bound, and on how many its seam is shorter."""
+    found = {}
+    for name, rival, key in bounds:
+        rows = [(row[name], row[rival]) for row in records.values() if row[rival]["outcome"] == "done" and row[rival]["seam"] > 0]
+        done = [(ours, theirs) for ours, theirs in rows if ours["outcome"] == "done"]
+        found |= {f"{name}_meshes": len(rows), f"{name}_kept": sum(ours[key] <= theirs[key] for ours, theirs in done),
+                  f"{name}_shorter": sum(ours["seam"] < theirs["seam"] for ours, theirs in done)}
+    return found
+
+
 def values_of_all(records, ours, programs, rivals):
     """Numbers by name, for texts: counts(), and medians and means of each program."""
     found = counts(records, ours, rivals)

@@ -124,6 +124,16 @@ class Statistics(unittest.TestCase):
         self.assertEqual([found[key] for key in ("meshes", "best_charts", "best_seam", "unfinished")], [4, 3, 2, 1])
         self.assertEqual([cells[0] for cells in tables.exceptions(records, "ours", ["theirs"])[1:]], ["a", "d"])
 
+    def test_counts_at_bounds(self):
+        def row(outcome, seam, largest):
+            return {"outcome": outcome, "seam": seam, "E_max": largest}
+        theirs, flat = row("done", 5, 8), row("done", 0, 4)
+        records = {"kept": {"ours": row("done", 4, 8), "theirs": theirs}, "missed": {"ours": row("done", 4, 9), "theirs": theirs},
+                   "longer": {"ours": row("done", 6, 7), "theirs": theirs}, "failed": {"ours": {"outcome": "failed"}, "theirs": theirs},
+                   "uncut": {"ours": row("done", 0, 4), "theirs": flat}, "unknown": {"ours": theirs, "theirs": {"outcome": "failed"}}}
+        found = tables.counts_at_bounds(records, [("ours", "theirs", "E_max")])
+        self.assertEqual(found, {"ours_meshes": 4, "ours_kept": 2, "ours_shorter": 2})
+
     def test_equal(self):
         self.assertEqual(paired_statistics.compare([1, 2], [1, 2]).p, 1)
 
