@@ -25,6 +25,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -36,8 +37,8 @@ namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
 
-// Finds planes at which a surface is symmetric, whatever its triangulation. Directions from all sides are tried with a plane
-// through the centroid; the best of them are moved such that the reflected vertices come as close to the surface as possible.
+// Finds planes at which a surface is symmetric, whatever its triangulation. Its axes of inertia, one of which is normal to a plane of
+// symmetry, and directions from all sides are tried with a plane through the centroid; the best of them are moved such that the reflected vertices come as close to the surface as possible.
 class Reflection_search
 {
 public:
@@ -154,11 +155,27 @@ private:
     return result;
   }
 
-  // In all directions of a hemisphere, evenly.
-  static std::vector<Eigen::Vector3d> directions()
+  // Of the area, about the centroid.
+  Eigen::Matrix3d axes_of_inertia() const
+  {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      Eigen::Matrix3d corners; // the integral of x x^T over a triangle is A/12 (sum of c c^T + s s^T), with s the sum of corners c
+      for(int k = 0; k < 3; ++k)
+        corners.col(k) = m_mesh.point(m_mesh.triangles()[f][k]) - m_centroid;
+      const Eigen::Vector3d total = corners.rowwise().sum();
+      sum += m_mesh.face_area(f) * (corners * corners.transpose() + total * total.transpose());
+    }
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors();
+  }
+
+  // Axes of inertia, and all directions of a hemisphere, evenly.
+  std::vector<Eigen::Vector3d> directions() const
   {
     constexpr int number = 400; // seven degrees apart: from half of that, the plane finds its place
-    std::vector<Eigen::Vector3d> result;
+    const Eigen::Matrix3d axes = axes_of_inertia();
+    std::vector<Eigen::Vector3d> result = {axes.col(0), axes.col(1), axes.col(2)};
     const double golden_angle = CGAL_PI * (3 - std::sqrt(5.));
     for(int i = 0; i < number; ++i)
     {
