@@ -58,6 +58,12 @@ class PackOnly(Case):
             self.assertEqual((report["flips"], report["overlaps"]), (mirrored, 0))
             self.assertEqual(any("clockwise" in warning for warning in report["warnings"]), mirrored > 0)
 
+    def test_many_on_one_place(self):
+        """They have millions of overlaps with each other, none of which counts."""
+        self.write("a.obj", patches(5000, 3))
+        code, report = self.report("a.obj", "-o", "b.obj", "--pack-only", "--effort", "fast")
+        self.assertEqual((code, report["charts"], report["overlaps"]), (0, 5000, 0), report["message"])
+
     def test_given_density(self):
         """The texels of a unit of length on the surface, whatever the scale of the texture coordinates."""
         self.write("a.obj", patches(12, 2))

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_cutting/distortion_report.h>
 #include <CGAL/Surface_mesh_cutting/internal/input/Mesh_adapter.h>
 #include <CGAL/Surface_mesh_cutting/internal/result/exact_certificate.h>
+#include <CGAL/Surface_mesh_cutting/internal/result/side_by_side.h>
 
 #include <Eigen/Core>
 
@@ -72,7 +73,15 @@ double scale_of_layout(const Mesh& mesh, UV_map uvs)
   return scale;
 }
 
-bool has_overlaps(const Mesh& mesh, Cut_map is_cut, UV_map uvs) { return certificate_of(mesh, is_cut, uvs).overlaps() > 0; }
+bool has_overlaps(const Mesh& mesh, Cut_map is_cut, UV_map uvs)
+{
+  using CGAL::Surface_mesh_parameterization::internal::vertex_uvs;
+  const auto adapter = SMC::internal::make_mesh_adapter(mesh, CGAL::parameters::default_values());
+  const auto chart = SMC::internal::make_chart(adapter.mesh(), adapter.read_cut(is_cut));
+  // Apart, since thousands of charts on one place have millions of overlaps with each other.
+  const auto uv = SMC::internal::side_by_side(chart, vertex_uvs(chart, adapter.read_uvs(uvs)), false);
+  return SMC::internal::certify(chart, uv, true).overlaps() > 0;
+}
 
 void tell_given_layout(const Mesh& mesh, Cut_map is_cut, UV_map uvs, Outcome& outcome)
 {

@@ -14,7 +14,7 @@ void read_given_layout(const Polygon_soup& soup, const Surface& surface, Cut_map
 // Its scale: that of an equal area, in UV units per unit of length.
 double scale_of_layout(const Mesh& mesh, UV_map uvs);
 
-// Whether charts overlap themselves or each other.
+// Whether charts overlap themselves; those that lie on other charts do not count.
 bool has_overlaps(const Mesh& mesh, Cut_map is_cut, UV_map uvs);
 
 // Tells its measures, once it is packed, and warns of what was wrong with it before. The scale is known.
