@@ -68,6 +68,7 @@ public:
   {
     constexpr double first = 1.05, finest = 1.0005, rounding = 1e-7, hopeless = 1e-3;
     constexpr double tried_boxes = 200000; // in all
+    constexpr double patience = 0.3;       // the share of tries after which it ends where it has not grown
     limit = (std::min)(limit, std::sqrt(m_most_pages / m_area));
     double scale = limit;
     std::optional<std::vector<Box_place> > best;
@@ -78,7 +79,7 @@ public:
     const int tries = int(tried_boxes / double(m_boxes.size())) + 20;
     double factor = first;
     int failed = 0; // with this factor
-    for(int k = 0; k < tries && scale < limit && go_further(); ++k)
+    for(int k = 0, last = 0; k < tries && k - last < patience * tries && scale < limit && go_further(); ++k)
     {
       const double next = (std::min)(scale * factor, limit), noises[] = {0, 0.05, 0.2, 0.5, 1};
       if(auto places = try_scale(next, noises[failed % 5]))
@@ -86,6 +87,7 @@ public:
         best = std::move(places);
         scale = next;
         failed = 0;
+        last = k;
       }
       else if(++failed % 25 == 0 || (factor > coarse && failed == 1))
       {

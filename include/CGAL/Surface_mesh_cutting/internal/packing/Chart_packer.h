@@ -98,7 +98,8 @@ public:
       return m_best = pack_one();
     prepare();
     Chart_boxes boxes = chart_boxes();
-    m_boxes = boxes.pack(m_limit, m_control);
+    if(!m_boxes)
+      m_boxes = boxes.pack(m_limit, m_control);
     m_are_done = m_boxes && are_boxes_enough(boxes, m_boxes->scale);
     if(m_are_done)
       return m_best = m_boxes;
@@ -106,6 +107,9 @@ public:
       grow(coarsest(), 1.08, coarsest() < finest() ? 1.02 : 1.004, true);
     return m_best ? m_best : m_boxes;
   }
+
+  // Those that another packer, which may turn charts by quarters, too, has found need not be found again.
+  void take_boxes_of(const Chart_packer& other) { m_boxes = other.m_boxes; }
 
   // The second part: on finer grids, and off any grid.
   std::optional<Packed_charts> refine()

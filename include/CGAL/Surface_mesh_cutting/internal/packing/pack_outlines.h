@@ -66,6 +66,7 @@ inline std::optional<Packed_charts> pack_aligned_if_cheap(const std::vector<Char
   const bool is_enough = is_rectilinear(outlines) || (aligned && is_nearly_as_large(aligned->scale, packer.largest_scale()));
   if(aligned && (is_enough || control.is_stopped()))
     return are_few ? aligned : aligned_packer.refine();
+  packer.take_boxes_of(aligned_packer);
   const std::optional<Packed_charts> turned = are_few ? packer.pack() : packer.pack_coarsely();
   if(aligned && (!turned || is_nearly_as_large(aligned->scale, turned->scale)))
     return are_few ? aligned : aligned_packer.refine();
