@@ -48,8 +48,7 @@ int main(int argc, char** argv)
   for(std::size_t i = 0; i < number_of_pages; ++i)
     std::cout << "tile " << 1001 + i << " is filled to " << 100 * packing.page_fills[i] << " %" << std::endl;
 
-  const auto status = SMC::certify_packing(mesh, is_cut, uv, CGAL::parameters::texture_size(512).margin(4)
-                                                               .number_of_pages(int(number_of_pages)));
+  const auto status = SMC::certify_packing(mesh, is_cut, uv, np);
   std::cout << (status ? "certified: apart by the margin on each page" : status.message) << std::endl;
   return status ? EXIT_SUCCESS : EXIT_FAILURE;
 }

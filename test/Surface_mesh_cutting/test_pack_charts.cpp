@@ -241,6 +241,34 @@ void test_flips(CGAL::Random& random)
   }
 }
 
+// A fan of more than a full turn: its first triangle and its last one overlap.
+void test_overlap()
+{
+  constexpr int triangles = 8;
+  std::vector<Kernel::Point_2> points = {{0, 0}};
+  std::vector<std::array<int, 3> > faces;
+  for(int k = 0; k <= triangles; ++k)
+    points.emplace_back(std::cos(0.9 * k), std::sin(0.9 * k));
+  for(int k = 1; k <= triangles; ++k)
+    faces.push_back({0, k, k + 1});
+  Charts charts;
+  charts.add_triangles(points, faces);
+  const auto pack = [&](bool do_bijective)
+  {
+    return CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv,
+                                                   parameters::do_bijective(do_bijective)).status.code;
+  };
+  const auto certify = [&](bool do_bijective)
+  {
+    return CGAL::Surface_mesh_cutting::certify_packing(charts.mesh, charts.is_cut, charts.uv,
+                                                       parameters::do_bijective(do_bijective)).code;
+  };
+  CHECK(pack(true) == Status_code::NOT_CERTIFIED);
+  CHECK(pack(false) == Status_code::OK);
+  CHECK(certify(false) == Status_code::OK);
+  CHECK(certify(true) == Status_code::NOT_CERTIFIED);
+}
+
 } // namespace pack_charts_test
 
 int main(int argc, char** argv)
@@ -257,6 +285,7 @@ int main(int argc, char** argv)
   test_errors(random);
   test_progress(random);
   test_flips(random);
+  test_overlap();
   test_random_charts(random);
   test_efforts(random);
   return test::exit_status();

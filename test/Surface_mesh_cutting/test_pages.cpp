@@ -72,6 +72,7 @@ void test_known_pages()
   const auto three = CGAL::Surface_mesh_cutting::pack_charts(nine.mesh, nine.is_cut, nine.uv, density);
   CHECK(three && three.page_fills.size() == 3 && std::abs(three.scale * 1024 / 460 - 1) < 1e-5);
   check(nine, three, 2, 1024, density);
+  CHECK(CGAL::Surface_mesh_cutting::certify_packing(nine.mesh, nine.is_cut, nine.uv, density)); // on any number of pages
 
   Charts one = squares(1);
   const auto single = CGAL::Surface_mesh_cutting::pack_charts(one.mesh, one.is_cut, one.uv, parameters::texels_per_unit(100));

@@ -38,8 +38,10 @@ Examples:
 
 const char* const full_footer = R"(
 Input: OFF, OBJ, PLY, STL, glTF, and whatever else CGAL reads; text may be UTF-8 or UTF-16, and - is the
-standard input. Nothing is repaired, everything is interpreted: vertices and faces keep their number and order (only STL and glTF, which repeat points,
-get equal ones merged). Faces may have any number of corners; they are never cut across. Edges
+standard input. Nothing is repaired, everything is interpreted: vertices and faces keep their number
+and order. Equal points count as one in STL and glTF, where (nearly) no faces share a vertex, and
+where small pieces meet at their borders (see --weld). Faces may have any number of corners; they
+are never cut across. Edges
 with more than two faces keep pairs of them connected and are open to the others; vertices of
 several fans are as many vertices; where neighbors disagree about which side is up, as few
 faces as possible are read backward; faces without area, and faces given again, get the
@@ -47,7 +49,8 @@ texture coordinates of the place where they lie. The report lists all this in "i
 --strict refuses it.
 
 Output: texture coordinates lie in the unit square, charts apart by the margin and all at the same
-scale (uv_scale in the report), and no two triangles overlap. Corners share one unless a cut edge lies
+scale (uv_scale in the report), and no two triangles overlap (but with --allow-overlap, --faithful
+and --pack-only). Corners share one unless a cut edge lies
 between them. From OBJ to OBJ, PLY to PLY and glTF to glTF, all else stays; a warning names what
 the format of the output cannot hold. A name may not end like that of another format. Files appear
 when the run is complete.
@@ -81,13 +84,14 @@ Exit status:
   2  wrong usage, or an output cannot be written
   3  the input cannot be read, is truncated, or has indices out of range
   4  the mesh is not supported (coordinates that are not finite, no faces; with --strict, also what
-     is not triangles, not a manifold or inconsistently oriented), no cut satisfies the constraints,
-     or the margins leave no room for so many charts; the message says where, counting from 0
+     is not triangles, not a manifold or inconsistently oriented), an option needs what the input
+     lacks (such as texture coordinates), no cut satisfies the constraints, or charts find no room
+     (margins, --texels-per-unit); the message says where, counting from 0
   5  no valid result was found
   6  stopped by the time limit, which counts from the start of the program, or by Ctrl-C (a second
-     Ctrl-C ends at once); the best result so far is written, and the message says so
+     Ctrl-C ends at once); the best result so far is written if there is one, and the message says so
   7  the result is valid, but misses a requested bound, or the proof that --connect exact asks for
-With 2 to 5, only the JSON report is written. No output replaces an input or another output; if
+With 2 to 5, and with 6 without a result, only the JSON report is written. No output replaces an input or another output; if
 --json names such a place, there is no report. If the command line is not understood, the report
 replaces at most a former report.
 

@@ -29,7 +29,7 @@ void add_input_options(CLI::App& app, Options& options)
   const std::string group = "Input";
   app.add_flag("--strict", options.is_strict, "Refuse what is otherwise interpreted (see below)")->group(group);
   add_choice(app, "--weld", options.weld,
-             "Whether vertices at exactly the same point count as one;\nauto: for STL, where (nearly) no faces share a vertex, and\n"
+             "Whether vertices at exactly the same point count as one;\nauto: for STL and glTF, where (nearly) no faces share a vertex, and\n"
              "where pieces of a few faces nearly all meet at their borders",
              {"auto", "on", "off"})->group(group);
   add_number<double>(app, "--weld-tolerance", options.weld_tolerance,
@@ -203,7 +203,7 @@ void add_run_options(CLI::App& app, Options& options)
   add_choice(app, "--solver", options.solver,
              "Linear solver: the package's own, Eigen's SimplicialLDLT, CHOLMOD",
              available_solvers())->group(group);
-  add_number<double>(app, "--time-limit", options.time_limit, "Stop after S seconds", 0, 1e9)
+  add_number<double>(app, "--time-limit", options.time_limit, "Stop S seconds after the start; 0 stops at once", 0, 1e9)
     ->type_name("S")->default_str("none")->group(group);
 }
 

@@ -28,7 +28,8 @@ enum class Chart_rotation
 {
   AUTOMATIC, ///< tries `QUARTER` and `ANY`, and takes `QUARTER` if the charts then fill at least 97 % of the area that they
              ///< fill with `ANY`, or if the only chart has straight sides at right angles, like the net of a box. With more
-             ///< than 100 charts, it compares packings on a grid
+             ///< than 100 charts, it compares packings on a grid; with `texels_per_unit`, takes `QUARTER` if it needs no more
+             ///< pages than `ANY`
   ANY,       ///< turns charts by any angle
   QUARTER,   ///< aligns charts with the axes, and then turns them by quarter turns only
   NONE,      ///< keeps the directions of the input

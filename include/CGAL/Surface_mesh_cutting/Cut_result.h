@@ -52,9 +52,9 @@ struct Cut_result
   /// total weight of the cut edges, which the method minimizes; their length unless `edge_weight_map` is given.
   double cut_cost = 0;
   /// a lower bound on the length of any cut through the same feature points, along the constrained edges and the
-  /// loops that cut the handles; empty if no bound was computed, as with weights other than lengths.
+  /// loops that cut the handles; empty if none is known, as with weights other than lengths, or after ends moved.
   std::optional<double> lower_bound;
-  /// whether the cut is proven to be a shortest cut of this kind; empty if no bound was computed.
+  /// whether the cut is proven to be a shortest cut of this kind; empty if no bound is known.
   std::optional<bool> is_optimal;
 
   /// cuts that the run considered, from cheap to expensive, except cuts that another one beats in cost and distortion. If

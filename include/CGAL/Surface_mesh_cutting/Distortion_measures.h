@@ -46,7 +46,9 @@ struct Distortion_measures
   /// sum of \f$ a\,(\sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2}) \f$; 4 is ideal. This is
   /// `Unwrap_result::average_distortion`, at a scale that is nearly the same, and twice what the benchmark has.
   double symmetric_Dirichlet_energy = 0;
-  double cut_length = 0; ///< length of the edges of the cut that are not on the border of the surface.
+  /// length of the edges of the cut that are not on the border, over the square root of the area of the surface, unlike
+  /// `Cut_result::cut_length`.
+  double cut_length = 0;
   /// number of overlaps, decided exactly, as `certify_unwrap()` does; empty if a face is not counterclockwise.
   std::optional<int> overlaps;
 };

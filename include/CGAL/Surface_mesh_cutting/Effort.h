@@ -24,7 +24,7 @@ enum class Effort
 {
   FAST,    ///< one start, whose cut is improved a little
   DEFAULT, ///< a few starts, the best of which are improved further
-  BEST     ///< many starts, and all of the smaller efforts; the best result wins
+  BEST     ///< many starts, and all of the smaller efforts; the best result wins, and is then straightened
 };
 
 } // namespace Surface_mesh_cutting

@@ -27,8 +27,10 @@ struct Seam_measures
 {
   /// how much seams turn, in radians per average edge length, beyond what the smoothest way nearby does; 0 is ideal.
   std::optional<double> jaggedness;
-  double compactness = 0; ///< mean of \f$ 4 \pi a / p^2 \f$ of the charts, of area \f$ a \f$ and perimeter \f$ p \f$; a disk has 1.
-  double convexity = 0;   ///< mean share that the charts have of the area of their convex hulls; 1 is convex.
+  /// mean of \f$ 4 \pi a / p^2 \f$ for charts of area \f$ a \f$ and perimeter \f$ p \f$, weighted by area; a disk has 1.
+  double compactness = 0;
+  /// mean share that charts have of the area of their convex hulls, weighted by area; 1 is convex.
+  double convexity = 0;
   std::optional<double> on_hard_edges; ///< share of the seam's length on edges with 30 degrees or more between the normals.
   std::optional<double> hidden; ///< share of the light around the seam that the surface blocks; 1 is hidden from everywhere.
 };

@@ -26,21 +26,21 @@ enum class Status_code
 {
   OK,                      ///< everything requested was computed.
   EMPTY_MESH,              ///< the mesh has no face.
-  NOT_TRIANGULATED,        ///< a face has fewer than three different vertices, or each of its triangulations repeats an edge
-                           ///  of the surface. Witness: faces.
+  NOT_TRIANGULATED,        ///< a face has fewer than three different vertices or neighboring corners at the same vertex, or each
+                           ///  of its triangulations repeats an edge of the surface or overlaps. Witness: faces.
   NON_MANIFOLD,            ///< an edge with more than two faces, a vertex whose faces form
                            ///  more than one fan, or a face given twice. Witness: vertices or faces.
   INVALID_POINT,           ///< a coordinate is infinite or not a number, or a part of the surface is too small for UVs
                            ///  next to those of the largest part. Witness: vertices.
   WRONG_PARAMETER,         ///< a parameter is out of its range, which the message names, or a weight is negative or
-                           ///  not a number. Witness: the edges or faces concerned, if any.
+                           ///  not a number. Witness: the edges, vertices or faces concerned, if any.
   INFEASIBLE_CONSTRAINTS,  ///< no cut satisfies the constraints. Witness: the elements in conflict.
   NOT_CUT_TO_DISKS,        ///< the marked edges leave a part that is not a disk. Witness: the faces of such a part.
   NUMERICAL_FAILURE,       ///< no flip-free parameterization was found. Witness: faces.
   NOT_CERTIFIED,           ///< the result failed the exact check. Witness: faces.
   STOPPED,                 ///< the visitor or the time limit ended the run; `has_result` tells whether there is a result.
-  BOUND_NOT_REACHED        ///< the result is valid but misses `maximum_average_distortion`, or, with `Connection::EXACT`, lacks
-                           ///  the proof that it is shortest.
+  BOUND_NOT_REACHED        ///< the result is valid but misses a bound on the distortion, or, with `Connection::EXACT`, lacks
+                           ///  the proof that it is shortest. Witness: the faces above a bound on faces or charts.
 };
 
 /// \ingroup PkgSurfaceMeshCuttingRef

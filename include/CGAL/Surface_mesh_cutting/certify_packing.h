@@ -69,12 +69,12 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNBegin{number_of_pages}
 ///     \cgalParamDescription{the number of pages, which lie as `pack_charts()` places them; the first one is the unit square}
 ///     \cgalParamType{`int`}
-///     \cgalParamDefault{`1`}
+///     \cgalParamDefault{`1`, and any number with `texels_per_unit`, so that the parameters of `pack_charts()` suit both}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_bijective}
 ///     \cgalParamDescription{whether to prove that no chart overlaps itself}
 ///     \cgalParamType{Boolean}
-///     \cgalParamDefault{`true`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}

@@ -123,7 +123,8 @@ struct Connection_result
 /// \return the length of the cut and a bound on it, and a status, one of
 /// - `Status_code::OK`;
 /// - `Status_code::BOUND_NOT_REACHED` with `Connection::EXACT` if the budget does not suffice for a proof;
-/// - `Status_code::STOPPED`, with a cut that may be longer than necessary;
+/// - `Status_code::STOPPED`, with a cut that may be longer than necessary, or none if the run stopped while it cut the handles:
+///   `edge_is_cut_map` then stays unchanged, and the length is 0;
 /// - `Status_code::INFEASIBLE_CONSTRAINTS`, with edges that are both constrained and forbidden, with the forbidden
 ///   edges that keep a part from becoming a disk, or with the vertices reachable only through forbidden edges;
 /// - `Status_code::WRONG_PARAMETER`, with the edges of invalid weight, or with the faces of a closed part that holds

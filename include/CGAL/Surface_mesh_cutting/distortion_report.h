@@ -77,7 +77,7 @@ struct Distortion_report : public Distortion_measures
 /// \return the measures and a status, one of
 /// - `Status_code::OK`;
 /// - `Status_code::NOT_CERTIFIED`, with the faces that have an invalid UV, or whose UVs differ from those of a neighbor
-///   across an edge that is not cut;
+///   across an edge that is not cut, or with all faces if the map has no area;
 /// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
 ///   `Status_code::INVALID_POINT` for an unsupported mesh.
 ///

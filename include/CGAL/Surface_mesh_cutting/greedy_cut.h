@@ -55,8 +55,8 @@ namespace Surface_mesh_cutting {
 ///
 /// \return the length of the cut, its feature points, and more. Its `status` is one of
 /// - `Status_code::OK`;
-/// - `Status_code::BOUND_NOT_REACHED` if no cut was found that keeps `maximum_average_distortion`, or, with
-///   `Connection::EXACT`, if the budget does not suffice for a proof;
+/// - `Status_code::BOUND_NOT_REACHED` if no cut was found that keeps the bounds on the distortion, with the faces above those on faces
+///   and charts, or, with `Connection::EXACT`, if the budget does not suffice for a proof;
 /// - `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD` or
 ///   `Status_code::INVALID_POINT` for an unsupported mesh;
 /// - `Status_code::WRONG_PARAMETER`, with the edges of invalid weight if there are any;

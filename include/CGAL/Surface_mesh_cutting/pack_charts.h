@@ -50,12 +50,13 @@ namespace Surface_mesh_cutting {
 /// A chart is a part of the surface that is connected through edges not cut; it need not be a disk.
 ///
 /// The function proves the result as `certify_packing()` does, with the coordinates that `halfedge_uv_map` holds; they may
-/// also be of type `float` or of an exact number type.
+/// also be of type `float` or of an exact number type. Where `allow_flips` lets a triangle be clockwise, the proof is about outlines
+/// alone.
 ///
-/// Charts are drawn on grids of 512 to 4096 cells along a side, in 4 to 16 turns. The time is linear in the number of charts
-/// times the number of rows that are already full: seconds for thousands of charts. Up to 1000 charts then leave the grid and
-/// push each other apart; `effort` sets the number of tries per chart: some seconds for a hundred charts with the default. Up
-/// to 100 charts are packed twice with `Chart_rotation::AUTOMATIC`.
+/// Charts are drawn on grids of 512 to 4096 cells along a side, in up to 16 turns. The time on a grid is \f$ O(c r) \f$ for \f$ c \f$
+/// charts and \f$ r \f$ rows that are full: seconds for thousands of charts. On one page and without `texels_per_unit`, up to 1000
+/// charts then leave the grid and push each other apart: some seconds for a hundred charts. Up to 100 charts are packed twice with
+/// `Chart_rotation::AUTOMATIC`.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithms: `Sequential_tag` (default),
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
@@ -119,13 +120,14 @@ namespace Surface_mesh_cutting {
 ///   \cgalParamNBegin{do_bijective}
 ///     \cgalParamDescription{whether to refuse charts that overlap themselves}
 ///     \cgalParamType{Boolean}
-///     \cgalParamDefault{`true`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{It has no effect where `allow_flips` lets a triangle be clockwise.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{effort}
 ///     \cgalParamDescription{how long to search for a larger scale}
 ///     \cgalParamType{`Surface_mesh_cutting::Effort`}
 ///     \cgalParamDefault{`Effort::DEFAULT`}
-///     \cgalParamExtra{`Effort::FAST` makes a tenth of the tries, `Effort::BEST` four times as many.}
+///     \cgalParamExtra{`Effort::FAST` makes a tenth of the tries off the grid, `Effort::BEST` four times as many.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}

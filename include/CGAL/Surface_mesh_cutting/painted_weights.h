@@ -78,8 +78,8 @@ Indexed_status find_painted_factors(const Adapter& adapter, VertexPaintMap verte
 ///
 /// \copydetails PkgSurfaceMeshCuttingWeightParameters
 ///
-/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`; or, for an unsupported mesh,
-///         `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
+/// \return `Status_code::OK`; `Status_code::WRONG_PARAMETER`, with the vertices whose paint is negative or not finite; or, for an
+///         unsupported mesh, `Status_code::EMPTY_MESH`, `Status_code::NOT_TRIANGULATED`, `Status_code::NON_MANIFOLD`
 ///         or `Status_code::INVALID_POINT`. Writes the weights only with `Status_code::OK`.
 ///
 /// \sa `crease_weights()`

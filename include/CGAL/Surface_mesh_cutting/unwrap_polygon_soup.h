@@ -61,9 +61,9 @@ struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 ///         `Parallel_tag`, or `Parallel_if_available_tag`. The result does not depend on it.
 /// \tparam PointRange a range of `%Point_3` of any kernel
 /// \tparam PolygonRange a range of ranges of indices of points
-/// \tparam CornerUVs a model of `RandomAccessContainer` whose value type is a model of `RandomAccessContainer` of
-///         points that can be constructed from two numbers and have members `x()` and `y()`, such as
-///         `std::vector<std::vector<Point_2> >`
+/// \tparam CornerUVs a model of `BackInsertionSequence` whose value type can be constructed from two iterators over points,
+///         such as `std::vector<std::vector<Point_2> >`; points can be constructed from two numbers and have members `x()`
+///         and `y()`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param points the points
@@ -71,8 +71,8 @@ struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 /// \param corner_uvs receives the UVs: `corner_uvs[p][k]` is that of corner `k` of polygon `p`, at the scale of the
 ///        surface. It stays unchanged unless `Cut_result::has_result`. Corners of degenerate polygons away from the surface
 ///        get any UV of it.
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `unwrap()`, and the two listed
-///        below. Vertices are indices of points, and edges are pairs (`std::pair<std::size_t, std::size_t>`) of them,
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `unwrap()` but `vertex_point_map`,
+///        and the two listed below. Vertices are indices of points, and edges are pairs (`std::pair<std::size_t, std::size_t>`) of them,
 ///        the lower one first. Such a pair may stand for several edges of the surface.
 ///
 /// \cgalNamedParamsBegin
@@ -91,7 +91,7 @@ struct Unwrap_soup_result : public Unwrap_result<Polygon_soup>
 /// \cgalNamedParamsEnd
 ///
 /// \return the result of `unwrap()` for the surface, and the defects of the soup. Its `status` is one of those of
-///         `unwrap()`; it is `Status_code::WRONG_PARAMETER` for polygons that refer to points which do not exist, and
+///         `unwrap()`; it is `Status_code::WRONG_PARAMETER` also for polygons that refer to points which do not exist, and
 ///         `Status_code::EMPTY_MESH` if no polygon is part of a surface.
 ///
 /// \sa `unwrap()`

@@ -20,6 +20,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/chart/Corner_table.h>
 
+#include <limits>
+
 namespace CGAL {
 namespace Surface_mesh_cutting {
 namespace internal {
@@ -31,7 +33,8 @@ Indexed_status certify_indexed_packing(const Corner_table& chart, const std::vec
   const Indexed_status status = certify_corners(chart, corner_uv, parameters.do_bijective).status();
   if(!status)
     return status;
-  return Packing_certificate(chart, vertex_uvs(chart, corner_uv), parameters.margin, parameters.most_pages).status();
+  const int number_of_pages = parameters.most_pages > 0 ? parameters.most_pages : (std::numeric_limits<int>::max)();
+  return Packing_certificate(chart, vertex_uvs(chart, corner_uv), parameters.margin, number_of_pages).status();
 }
 
 } // namespace internal

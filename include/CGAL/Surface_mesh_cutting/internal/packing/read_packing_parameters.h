@@ -35,7 +35,7 @@ Packing_parameters read_packing_parameters(const NamedParameters& np)
   const double texels_per_unit = choose_parameter(get_parameter(np, internal_np::texels_per_unit), 0.);
   return {{double(choose_parameter(get_parameter(np, internal_np::margin), default_margin)),
            int(choose_parameter(get_parameter(np, internal_np::texture_size), default_texture_size))},
-          bool(choose_parameter(get_parameter(np, internal_np::do_bijective), true)),
+          bool(choose_parameter(get_parameter(np, internal_np::do_bijective), false)),
           choose_parameter(get_parameter(np, internal_np::effort), Effort::DEFAULT),
           choose_parameter(get_parameter(np, internal_np::chart_rotation), Chart_rotation::AUTOMATIC),
           int(choose_parameter(get_parameter(np, internal_np::number_of_pages), texels_per_unit > 0 ? 0 : 1)),
