@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Tries the last commit on another suite of Debian, in a chroot in build/chroot; needs root and debootstrap:
-#   scripts/test_debian.sh SUITE [demo|python|blender|test]...      for example: scripts/test_debian.sh trixie
-# demo and test: the two commands of README; python: its Python module, with tests; blender: the add-on in the suite's Blender.
-# Without words: demo, python and blender. A chroot that exists is used again. Packages come from where the machine has its own.
+#   scripts/test_debian.sh SUITE [demo|python|blender|test|swig]...      for example: scripts/test_debian.sh trixie
+# demo and test: the two commands of README; python: its Python module, with tests; blender: the add-on in the suite's Blender;
+# swig: the module of CGAL's SWIG bindings. Without words: demo, python and blender. A chroot that exists is used again. Packages
+# come from where the machine has its own.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 if [ $# -eq 0 ] || [ "$(id -u)" -ne 0 ] || ! command -v debootstrap > /dev/null; then
-  sed -n 2,5p "${BASH_SOURCE[0]}" >&2
+  sed -n 2,6p "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 suite=$1
@@ -51,6 +52,7 @@ for step in "$@"; do
         build/env/bin/pip install --no-build-isolation ./python &&
         build/env/bin/python -m pytest -q -p no:cacheprovider python/test" ;;
     blender) inside "scripts/install_dependencies.sh blender && scripts/test_blender.sh" ;;
+    swig) inside "scripts/install_dependencies.sh swig && scripts/test_swig.sh" ;;
     *) echo "unknown: $step" >&2; exit 2 ;;
   esac
 done
