@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, from Debian; from npm, the validator of glTF, which the tests use where it is there, and xatlas, with
 # which results are compared:
-#   scripts/install_dependencies.sh [build|test|python|swig|corpus|evaluation|sanitize|doc|figures|blender|validator|compare]...    (default: build test)
+#   scripts/install_dependencies.sh [build|test|python|swig|lab|corpus|evaluation|sanitize|doc|figures|blender|validator|compare]...    (default: build test)
 set -euo pipefail
 
 if [ $# -eq 0 ]; then
@@ -18,6 +18,8 @@ for purpose in "$@"; do
     python) wanted+=(python3-dev pybind11-dev python3-numpy python3-pytest python3-matplotlib
                      python3-pip python3-setuptools python3-wheel python3-venv) ;;
     swig)  wanted+=(g++ cmake make libcgal-dev libeigen3-dev libboost-dev libtbb-dev swig python3-dev git ca-certificates) ;;
+    lab)   wanted+=(g++ cmake ninja-build libcgal-dev libcgal-qt6-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev
+                    qt6-base-dev qt6-declarative-dev qt6-svg-dev libgl1-mesa-dri xvfb xauth) ;;
     corpus) wanted+=(parallel python3) ;;
     evaluation) wanted+=(python3 gnuplot-nox) ;;
     sanitize) wanted+=(clang libclang-rt-dev python3) ;;
@@ -27,7 +29,7 @@ for purpose in "$@"; do
     validator) packages+=(gltf-validator@2.0.0-dev.3.10 .) ;;
     compare) wanted+=(python3-numpy python3-scipy blender)
              packages+=(watlas@1.0.1 compare) ;;
-    *)     echo "usage: $0 [build|test|python|swig|corpus|evaluation|sanitize|doc|figures|blender|validator|compare]..." >&2; exit 2 ;;
+    *)     echo "usage: $0 [build|test|python|swig|lab|corpus|evaluation|sanitize|doc|figures|blender|validator|compare]..." >&2; exit 2 ;;
   esac
 done
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Tries the last commit on another suite of Debian, in a chroot in build/chroot; needs root and debootstrap:
-#   scripts/test_debian.sh SUITE [demo|python|blender|test|swig]...      for example: scripts/test_debian.sh trixie
+#   scripts/test_debian.sh SUITE [demo|python|blender|test|swig|lab]...      for example: scripts/test_debian.sh trixie
 # demo and test: the two commands of README; python: its Python module, with tests; blender: the add-on in the suite's Blender;
-# swig: the module of CGAL's SWIG bindings. Without words: demo, python and blender. A chroot that exists is used again. Packages
-# come from where the machine has its own.
+# swig: the module of CGAL's SWIG bindings; lab: the plugin of CGAL Lab. Without words: demo, python and
+# blender. A chroot that exists is used again. Packages come from where the machine has its own.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 if [ $# -eq 0 ] || [ "$(id -u)" -ne 0 ] || ! command -v debootstrap > /dev/null; then
@@ -53,6 +53,7 @@ for step in "$@"; do
         build/env/bin/python -m pytest -q -p no:cacheprovider python/test" ;;
     blender) inside "scripts/install_dependencies.sh blender && scripts/test_blender.sh" ;;
     swig) inside "scripts/install_dependencies.sh swig && scripts/test_swig.sh" ;;
+    lab) inside "scripts/install_dependencies.sh lab && scripts/test_lab.sh" ;;
     *) echo "unknown: $step" >&2; exit 2 ;;
   esac
 done
