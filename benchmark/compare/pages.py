@@ -26,8 +26,8 @@ def flat_layout(path):
     points = np.array(uvs)
     a, b, c = (points[faces[:, k]] for k in range(3))
     areas = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
-    kept = faces[areas > 0]
-    return points, kept, areas[areas > 0].sum()
+    faces[areas < 0] = faces[areas < 0][:, ::-1]  # of charts that are mirrored
+    return points, faces[areas != 0], np.abs(areas).sum()
 
 
 def on_shelves(boxes, margin, side):
