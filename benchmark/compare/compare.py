@@ -10,8 +10,6 @@ import page
 import tables
 from run_programs import ROOT, TABLE, find_meshes, read_programs, run_all
 
-OURS = "default"
-
 
 def explain():
     return ("Seams on the surface are in diagonals of its bounding box, those in the unit square are the borders of all charts "
@@ -22,23 +20,23 @@ def explain():
             "worse than any with one.\n")
 
 
-def write(folder, records, programs):
+def write(folder, records, programs, ours):
     names, rivals = [program.name for program in programs], [program.name for program in programs if program.is_rival()]
     bounds = [(program.name, rival, key) for program in programs for rival, key in program.measured()]
-    found = {"values": tables.values_of_all(records, OURS, names, rivals) | tables.counts_at_bounds(records, bounds),
+    found = {"values": tables.values_of_all(records, ours, names, rivals) | tables.counts_at_bounds(records, bounds),
              "programs": tables.totals(records, names),
-             **{name: tables.pairs(records, OURS, name) for name in names if name != OURS},
+             **{name: tables.pairs(records, ours, name) for name in names if name != ours},
              **{f"{rival}_minus_{name}": tables.pairs(records, name, rival) for name, rival, _ in bounds},
-             "exceptions": tables.exceptions(records, OURS, rivals)}
+             "exceptions": tables.exceptions(records, ours, rivals)}
     (folder / "comparison.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     parts = [f"# {len(records)} surfaces\n", explain(), tables.markdown(found["programs"])]
     for name in names:
-        parts += [f"## {name} minus {OURS}\n", tables.markdown(found[name])] if name != OURS else []
+        parts += [f"## {name} minus {ours}\n", tables.markdown(found[name])] if name != ours else []
     for name, rival, _ in bounds:
         parts += [f"## {rival} minus {name}\n", tables.markdown(found[f"{rival}_minus_{name}"])]
     parts += ["## Exceptions\n", tables.markdown(found["exceptions"])]
     (folder / "comparison.md").write_text("\n".join(parts), encoding="utf-8")
-    (folder / "comparison.html").write_text(page.page(records, found, names, OURS), encoding="utf-8")
+    (folder / "comparison.html").write_text(page.page(records, found, names, ours), encoding="utf-8")
 
 
 def main():
@@ -46,16 +44,17 @@ def main():
     parser.add_argument("meshes", nargs="+", type=pathlib.Path, help="OBJ, OFF and PLY files, and folders of them")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build/compare/results", metavar="FOLDER")
     parser.add_argument("--programs", type=pathlib.Path, default=TABLE, metavar="FILE", help="the table of commands")
+    parser.add_argument("--ours", default="default", metavar="NAME", help="the program to compare all others with; default: %(default)s")
     parser.add_argument("--only", metavar="NAME,...", help="of these programs")
     parser.add_argument("--time-limit", type=float, default=300, metavar="SECONDS",
                         help="of the processor, of each run; default: %(default)s")
     arguments = parser.parse_args()
     programs = read_programs(arguments.programs)
     if arguments.only:
-        names = [OURS, *arguments.only.split(",")]
+        names = [arguments.ours, *arguments.only.split(",")]
         programs = [program for program in programs if program.name in names]
     records = run_all(programs, find_meshes(arguments.meshes), arguments.output.resolve(), arguments.time_limit)
-    write(arguments.output, records, programs)
+    write(arguments.output, records, programs, arguments.ours)
     print(f"comparison   {arguments.output / 'comparison.html'}")
 
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Compares how many pages charts fill at the same texels per unit and margin: packed by this program, by xatlas, and as boxes on
-shelves. Each OBJ is a layout, whose charts are packed as they are; the scale is such that they would fill about PAGES pages if they
-filled three quarters of each. Prints a table; fill is the area of the charts by that of all pages."""
+shelves. Each OBJ is a layout of 20 to 2000 charts, which are packed as they are, as often as it takes to fill PAGES pages to three
+quarters, but no more than 2000 charts in all; the scale is such that its largest chart is 0.7 pages wide, or that one copy of it fills these pages. Writes pages.json and
+prints a table; fill is the area of the charts by that of all pages."""
 
 import argparse
 import json
@@ -16,6 +17,9 @@ from run_programs import ROOT
 from surface_files import read_obj, triangulated, write_surface
 
 HOPEFUL_FILL = 0.75
+FITTING_SHARE = 0.7  # of the side of a page, at most, is the side of a chart's box, since xatlas turns charts
+LEAST_CHARTS, MOST_CHARTS = 20, 2000
+PACKERS = ("ours", "xatlas", "shelves")
 WATLAS = ROOT / "build/compare/node_modules/watlas/dist/watlas.js"
 
 
@@ -89,21 +93,41 @@ def write_layout(path, points, faces):
 
 def compare(path, folder, pages, margin, side):
     points, faces, area = flat_layout(path)
-    points, boxes = apart(points, faces)
+    boxes = apart(points, faces)[1]
+    if not LEAST_CHARTS <= len(boxes) <= MOST_CHARTS:
+        return None
+    hopeful = HOPEFUL_FILL * pages * side ** 2 / area
+    density = min(np.sqrt(hopeful), FITTING_SHARE * (side - 2 * margin) / boxes.max())
+    copies = max(1, min(round(hopeful / density ** 2), MOST_CHARTS // len(boxes)))
+    faces = np.concatenate([faces + k * len(points) for k in range(copies)])
+    points, boxes = apart(np.tile(points, (copies, 1)), faces)
     points = np.column_stack([points, np.zeros(len(points))])
-    density = side * np.sqrt(HOPEFUL_FILL * pages / area)
+    area *= copies
     folder.mkdir(parents=True, exist_ok=True)
     flat, layout, report = (folder / (path.stem + end) for end in (".obj", "_layout.obj", ".json"))
     write_surface(flat, points, faces)
     write_layout(layout, points, faces)
     told([ROOT / "build/bin/unwrap", layout, "-o", folder / f"{path.stem}_packed.obj", "--pack-only", "--texels-per-unit", density,
           "--texture-size", side, "--margin", margin, "--threads", 1, "--json", report, "--quiet"])
-    ours = json.loads(report.read_text(encoding="utf-8"))
-    xatlas = json.loads(told(["node", ROOT / "benchmark/compare/pack_by_xatlas.mjs", WATLAS, flat, density, side, margin]))
-    counts = {"ours": ours["pages"], "xatlas": xatlas["pages"], "shelves": on_shelves(density * boxes, margin, side)}
-    fills = {f"{name} %": 100 * area * density ** 2 / (count * side ** 2) for name, count in counts.items()}
-    return {"layout": path.stem, "charts": len(boxes), **counts, **fills, "s": ours["cpu_seconds"]["packing"],
-            "xatlas s": xatlas["seconds"]}
+    ours = json.loads(report.read_text(encoding="utf-8"))["pages"]
+    xatlas = int(told(["node", ROOT / "benchmark/compare/pack_by_xatlas.mjs", WATLAS, flat, density, side, margin]))
+    counts = [ours, xatlas, on_shelves(density * boxes, margin, side)]
+    return {"layout": path.stem, "charts": len(boxes), "pages": dict(zip(PACKERS, counts)),
+            "fill": {packer: area * density ** 2 / (count * side ** 2) for packer, count in zip(PACKERS, counts)}}
+
+
+def summary(rows):
+    found = {"layouts": len(rows), "fewest": sum(row["pages"]["ours"] <= min(row["pages"].values()) for row in rows)}
+    for packer in PACKERS:
+        found |= {f"{packer}_pages": sum(row["pages"][packer] for row in rows),
+                  f"{packer}_fill": 100 * float(np.mean([row["fill"][packer] for row in rows]))}
+    return found
+
+
+def table(rows):
+    cells = [["layout", "charts", *(f"pages, {packer}" for packer in PACKERS), *(f"fill, {packer}" for packer in PACKERS)]]
+    return cells + [[row["layout"], f"{row['charts']:,}", *map(str, row["pages"].values()),
+                     *(f"{fill:.3f}" for fill in row["fill"].values())] for row in rows]
 
 
 def main():
@@ -114,10 +138,11 @@ def main():
     parser.add_argument("--margin", type=float, default=4, metavar="TEXELS")
     parser.add_argument("--texture-size", type=int, default=1024, metavar="TEXELS")
     arguments = parser.parse_args()
-    rows = [compare(path, arguments.output, arguments.pages, arguments.margin, arguments.texture_size) for path in arguments.layouts]
-    cells = [[value if isinstance(value, str) else f"{value:.3g}" if isinstance(value, float) else str(value) for value in row.values()]
-             for row in rows]
-    print(tables.markdown([list(rows[0]), *cells]))
+    rows = [row for path in arguments.layouts
+            if (row := compare(path, arguments.output, arguments.pages, arguments.margin, arguments.texture_size))]
+    found = {"values": summary(rows), "layouts": table(rows)}
+    (arguments.output / "pages.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+    print(tables.markdown(found["layouts"]))
 
 
 if __name__ == "__main__":

@@ -78,10 +78,12 @@ def run_limited(command, log, seconds):
         resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 1))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
+    # Blender takes the first Python on the path for its own.
+    environment = {**os.environ, "PATH": f"/usr/bin:{os.environ['PATH']}"}
     start, memory, pid, is_late = time.monotonic(), 0, 0, False
     with open(log, "wb") as file:
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=file, stderr=file, start_new_session=True,
-                                   preexec_fn=limit)
+                                   preexec_fn=limit, env=environment)
     try:
         while not pid:
             memory = max(memory, peak_memory(process.pid))

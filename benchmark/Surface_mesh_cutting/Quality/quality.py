@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "scoreboard"))
 
 from bench import Measured, mean_of, total_seconds  # noqa: E402
-from comparison import measure_comparison  # noqa: E402
+from comparison import measure_comparison, measure_pages  # noqa: E402
 from driver import Claim, run  # noqa: E402
 from known_cuts import measure_known  # noqa: E402
 from layouts import measure_packing, measure_weights  # noqa: E402
@@ -119,6 +119,10 @@ CLAIMS = [
           "{best_seam}, with as few charts or fewer on {best_charts}: {default_charts:.1f} in the mean, {xatlas_charts:.0f} and "
           "{smart_charts:.0f}; overlaps: {overlaps}, without result: {unfinished}", measure_comparison, needs="--common FOLDER",
           is_long=True),
+    Claim("pages", 10,
+          "Charts that xatlas makes of {layouts} of the Common Shapes, with copies, need {ours_pages} pages, {xatlas_pages} as xatlas packs "
+          "them and {shelves_pages} on shelves, at the same scale and margin; on {fewest}, no other needs fewer",
+          measure_pages, needs="--common FOLDER"),
     Claim("invariance", 60,
           "{rotations} rotations of {surfaces} surfaces change the length at a bound of 4.1 by {rotated_4_1_mean:.1f} % in the mean "
           "and {rotated_4_1_largest:.1f} % at most, other numbers of vertices by {renumbered_4_1_mean:.1f} and "
