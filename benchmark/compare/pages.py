@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Compares how many pages charts fill at the same texels per unit and margin: packed by this program, by xatlas, and as boxes on
 shelves. Each OBJ is a layout of 20 to 2000 charts, which are packed as they are, as often as it takes to fill PAGES pages to three
-quarters, but no more than 2000 charts in all; the scale is such that its largest chart is 0.7 pages wide, or that one copy of it fills these pages. Writes pages.json and
-prints a table; fill is the area of the charts by that of all pages."""
+quarters, but no more than 2000 charts in all; the scale is such that its largest chart is 0.7 pages wide, or that one copy of it
+fills these pages. Writes pages.json and prints a table; fill is the area of the charts by that of all pages."""
 
 import argparse
 import json

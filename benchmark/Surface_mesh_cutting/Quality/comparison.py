@@ -26,7 +26,7 @@ def measure_pages(bench):
     """For the charts that xatlas makes."""
     compare(bench, "--ours", "fast", "--only", "xatlas")
     layouts = sorted((bench.folder / "xatlas").glob("*.obj"))
-    command = [ROOT / "benchmark/compare/pages.py", *layouts, "--output", bench.folder / "pages"]
+    command = ["/usr/bin/python3", "-B", ROOT / "benchmark/compare/pages.py", *layouts, "--output", bench.folder]
     if subprocess.run(command, check=False).returncode != 0:
         raise Failed("benchmark/compare/pages.py")
-    return stored(bench.folder / "pages/pages.json")
+    return stored(bench.folder / "pages.json")
