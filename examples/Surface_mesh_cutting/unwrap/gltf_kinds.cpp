@@ -75,11 +75,10 @@ Data_kinds kinds_of(const Document& document)
   for(const std::string& name : names_of_attributes(description))
     kinds.merge(kinds_of_attribute(name));
   for_each_primitive(description, [&](const Json& primitive) { kinds.merge(kinds_of_primitive(description, primitive)); });
-  for(const auto& [key, kind] : {std::make_pair("materials", Data_kind::MATERIALS),
-                                 std::make_pair("materials", Data_kind::LOOKS_OF_MATERIALS),
-                                 std::make_pair("skins", Data_kind::SKINS),
-                                 std::make_pair("animations", Data_kind::ANIMATIONS),
-                                 std::make_pair("cameras", Data_kind::CAMERAS)})
+  constexpr std::pair<const char*, Data_kind> lists[]
+    = {{"materials", Data_kind::MATERIALS}, {"materials", Data_kind::LOOKS_OF_MATERIALS}, {"skins", Data_kind::SKINS},
+       {"animations", Data_kind::ANIMATIONS}, {"cameras", Data_kind::CAMERAS}};
+  for(const auto& [key, kind] : lists)
     if(!list(description, key).empty())
       kinds.insert(kind);
   for(const char* key : {"nodes", "meshes"})

@@ -44,8 +44,9 @@ class Places
 public:
   Places(const Document& document, const Json& attributes)
   {
-    for(const auto& [key, vectors] : {std::make_pair("TRANSLATION", &m_translations),
-                                      std::make_pair("ROTATION", &m_rotations), std::make_pair("SCALE", &m_scales)})
+    const std::pair<const char*, std::optional<Elements>*> all_vectors[]
+      = {{"TRANSLATION", &m_translations}, {"ROTATION", &m_rotations}, {"SCALE", &m_scales}};
+    for(const auto& [key, vectors] : all_vectors)
     {
       const std::optional<std::size_t> accessor = find_number(attributes, key);
       if(!accessor)
