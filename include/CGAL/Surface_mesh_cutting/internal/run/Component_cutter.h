@@ -76,10 +76,7 @@ public:
     }
     if(m_problem.initial.is_given())
       add_given_cut(results);
-    Component_result best = best_of(results);
-    Seam_straightener(m_problem, m_context, best).run();
-    Peak_lowering(m_problem, m_context)(best);
-    return best;
+    return finished(best_of(results));
   }
 
   // What is returned of a stopped run that found no map, or no cut if that is what is asked for.
@@ -174,6 +171,20 @@ private:
       result.number_of_candidates = results.front().number_of_candidates;
       results.push_back(std::move(result));
     }
+  }
+
+  // With straight seams, unless these leave faces above a bound that the seams as they were would not.
+  Component_result finished(Component_result best) const
+  {
+    Component_result straight = best;
+    Seam_straightener(m_problem, m_context, straight).run();
+    const bool is_changed = straight.cut != best.cut;
+    const Peak_lowering lower(m_problem, m_context);
+    lower(straight);
+    if(!is_changed || straight.status || !m_context.parameters.has_local_bounds() || !m_context.control.go_further())
+      return straight;
+    lower(best);
+    return best.status ? best : straight;
   }
 
   Component_result best_of(std::vector<Component_result>& results) const
