@@ -17,7 +17,7 @@ void test_random_charts(CGAL::Random& random)
     {
       Charts charts = random_stars(random, number);
       Charts others = copy_of(charts);
-      const auto np = parameters::margin(margin).texture_size(512).effort(Effort::FAST);
+      const auto np = parameters::margin(margin).texture_size(512);
       const auto result = CGAL::Surface_mesh_cutting::pack_charts(charts.mesh, charts.is_cut, charts.uv, np);
       CHECK(result && result.number_of_charts == number);
       check_distances(charts, margin, 512);

@@ -83,7 +83,7 @@ void test_known_pages()
 void test_density(CGAL::Random& random)
 {
   const Charts charts = random_stars(random, 60);
-  for(const double density : {2., 150.})
+  for(const double density : {2., 60., 150.})
     for(const double margin : {0., 2.5})
     {
       Charts packed = copy_of(charts);

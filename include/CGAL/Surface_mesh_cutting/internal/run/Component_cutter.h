@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_cutting/internal/straightening/Seam_straightener.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -176,15 +177,17 @@ private:
   // With straight seams, unless these leave faces above a bound that the seams as they were would not.
   Component_result finished(Component_result best) const
   {
-    Component_result straight = best;
-    Seam_straightener(m_problem, m_context, straight).run();
-    const bool is_changed = straight.cut != best.cut;
+    std::optional<Component_result> former; // where it may be needed: it can be large
+    if(m_context.parameters.has_local_bounds())
+      former = best;
+    Seam_straightener(m_problem, m_context, best).run();
+    const bool is_straightened = former && best.cut != former->cut;
     const Peak_lowering lower(m_problem, m_context);
-    lower(straight);
-    if(!is_changed || straight.status || !m_context.parameters.has_local_bounds() || !m_context.control.go_further())
-      return straight;
     lower(best);
-    return best.status ? best : straight;
+    if(!is_straightened || best.status || !m_context.control.go_further())
+      return best;
+    lower(*former);
+    return former->status ? std::move(*former) : best;
   }
 
   Component_result best_of(std::vector<Component_result>& results) const

@@ -155,7 +155,7 @@ private:
     return result;
   }
 
-  // Of the area, about the centroid.
+  // The eigenvectors of the second moments of the area about the centroid, as columns.
   Eigen::Matrix3d axes_of_inertia() const
   {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
