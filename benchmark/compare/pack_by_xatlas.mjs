@@ -15,7 +15,7 @@ for (const words of readFileSync(input, "ascii").split("\n").map(line => line.sp
   if (words[0] === "v")
     uvs.push(Number(words[1]), Number(words[2]));
   else if (words[0] === "f")
-    indices.push(...words.slice(1).map(word => Number(word) - 1));
+    indices.push(...words.slice(1).map(word => Number.parseInt(word) - 1)); // the number before the slash
 
 const atlas = new watlas.Atlas();
 atlas.addUvMesh({vertexUvData: new Float32Array(uvs), vertexCount: uvs.length / 2, vertexStride: 8,

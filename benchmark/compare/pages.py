@@ -14,7 +14,7 @@ import numpy as np
 
 import tables
 from run_programs import ROOT
-from surface_files import read_obj, triangulated, write_surface
+from surface_files import read_obj, triangulated
 
 HOPEFUL_FILL = 0.75
 FITTING_SHARE = 0.7  # of the side of a page, at most, is the side of a chart's box, since xatlas turns charts
@@ -82,13 +82,10 @@ def told(command):
 
 
 def write_layout(path, points, faces):
-    """The flat surface as its own layout."""
-    write_surface(path, points, faces)
-    with open(path, "a", encoding="ascii") as file:
-        file.writelines("vt %r %r\n" % tuple(point) for point in points[:, :2].tolist())
-    lines = path.read_text(encoding="ascii").splitlines()
-    path.write_text("\n".join("f " + " ".join(f"{k}/{k}" for k in line.split()[1:]) if line[0] == "f" else line for line in lines)
-                    + "\n", encoding="ascii")
+    """A flat surface with itself as its layout."""
+    with open(path, "w", encoding="ascii") as file:
+        file.writelines("v %r %r 0\nvt %r %r\n" % (x, y, x, y) for x, y in points.tolist())
+        file.writelines("f " + " ".join(f"{k}/{k}" for k in face) + "\n" for face in (faces + 1).tolist())
 
 
 def compare(path, folder, pages, margin, side):
@@ -101,16 +98,14 @@ def compare(path, folder, pages, margin, side):
     copies = max(1, min(round(hopeful / density ** 2), MOST_CHARTS // len(boxes)))
     faces = np.concatenate([faces + k * len(points) for k in range(copies)])
     points, boxes = apart(np.tile(points, (copies, 1)), faces)
-    points = np.column_stack([points, np.zeros(len(points))])
     area *= copies
     folder.mkdir(parents=True, exist_ok=True)
-    flat, layout, report = (folder / (path.stem + end) for end in (".obj", "_layout.obj", ".json"))
-    write_surface(flat, points, faces)
+    layout, report = folder / f"{path.stem}.obj", folder / f"{path.stem}.json"
     write_layout(layout, points, faces)
     told([ROOT / "build/bin/unwrap", layout, "-o", folder / f"{path.stem}_packed.obj", "--pack-only", "--texels-per-unit", density,
           "--texture-size", side, "--margin", margin, "--threads", 1, "--json", report, "--quiet"])
     ours = json.loads(report.read_text(encoding="utf-8"))["pages"]
-    xatlas = int(told(["node", ROOT / "benchmark/compare/pack_by_xatlas.mjs", WATLAS, flat, density, side, margin]))
+    xatlas = int(told(["node", ROOT / "benchmark/compare/pack_by_xatlas.mjs", WATLAS, layout, density, side, margin]))
     counts = [ours, xatlas, on_shelves(density * boxes, margin, side)]
     return {"layout": path.stem, "charts": len(boxes), "pages": dict(zip(PACKERS, counts)),
             "fill": {packer: area * density ** 2 / (count * side ** 2) for packer, count in zip(PACKERS, counts)}}
